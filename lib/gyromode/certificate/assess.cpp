@@ -1,0 +1,98 @@
+#include "gyromode/certificate/assess.h"
+
+#include "gyromode/lapack/multiply.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace gyromode {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// K X, M X and jG X, real and imaginary parts: X = re + j im gives jGX = −G_ri im + j G_ir re, G_ir = −G_riᵀ.
+struct Products {
+  Matrix k_re, k_im, m_re, m_im, g_re, g_im;
+};
+
+Products products(const Impedance& h, const dense::Spectrum& s) {
+  Products p;
+  p.m_re = lapack::multiply(h.mass_rr(), s.re);
+  p.m_im = lapack::multiply(h.mass_ii(), s.im);
+  p.g_re = -lapack::multiply(h.gyroscopic_ri(), s.im);
+  p.g_im = -lapack::multiply_tn(h.gyroscopic_ri(), s.re);
+  if (h.second_order()) {
+    p.k_re = lapack::multiply(h.stiffness_rr(), s.re);
+    p.k_im = lapack::multiply(h.stiffness_ii(), s.im);
+  }
+  return p;
+}
+
+// Xᴴ A X for a product AX.
+double form_of(const dense::Spectrum& s, const Matrix& re, const Matrix& im, Index i) { return s.re.col(i).dot(re.col(i)) + s.im.col(i).dot(im.col(i)); }
+
+// −ω²m + ωg + k = 0 (second order) or ωm − g = 0 (first order).
+struct Functional {
+  double m = 0, g = 0, k = 0;
+  bool second_order = true;
+
+  double value(double omega) const { return second_order ? k + omega * (g - omega * m) : omega * m - g; }
+  double slope(double omega) const { return second_order ? 2 * omega * m - g : m; }  // −d/dω for second order
+
+  // A step is taken while it shrinks |value| and stays a small part of ω.
+  double corrected(double omega) const {
+    if (!second_order) return g / m;
+    for (int step = 0; step < 3; ++step) {
+      const double next = omega + value(omega) / slope(omega);
+      if (!(std::abs(next - omega) <= 1e-3 * omega) || !(std::abs(value(next)) < std::abs(value(omega)))) break;
+      omega = next;
+    }
+    return omega;
+  }
+};
+
+double residual_norm(const Impedance& h, const Products& p, double omega, Index i) {
+  if (!h.second_order()) {
+    return std::hypot((omega * p.m_re.col(i) - p.g_re.col(i)).norm(), (omega * p.m_im.col(i) - p.g_im.col(i)).norm());
+  }
+  const double w2 = omega * omega;
+  return std::hypot((p.k_re.col(i) - w2 * p.m_re.col(i) + omega * p.g_re.col(i)).norm(), (p.k_im.col(i) - w2 * p.m_im.col(i) + omega * p.g_im.col(i)).norm());
+}
+
+void sort_by_frequency(dense::Spectrum& s, Assessment& a) {
+  const Index m = s.omega.size();
+  if (std::is_sorted(s.omega.begin(), s.omega.end())) return;
+  std::vector<Index> order(static_cast<std::size_t>(m));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index i, Index k) { return s.omega(i) < s.omega(k); });
+  for (Vector* v : {&s.omega, &a.residual, &a.form, &a.error_bound, &a.sensitivity}) *v = Vector((*v)(order));
+  s.re = Matrix(s.re(Eigen::all, order));
+  s.im = Matrix(s.im(Eigen::all, order));
+}
+
+}  // namespace
+
+Assessment assess(const Impedance& h, dense::Spectrum& s) {
+  const Index m = s.omega.size();
+  Assessment a{Vector(m), Vector(m), Vector(m), Vector(m)};
+  const Products p = products(h, s);
+  for (Index i = 0; i < m; ++i) {
+    const double k = h.second_order() ? form_of(s, p.k_re, p.k_im, i) : 0;
+    const Functional f{form_of(s, p.m_re, p.m_im, i), form_of(s, p.g_re, p.g_im, i), k, h.second_order()};
+    s.omega(i) = f.corrected(s.omega(i));
+    const double omega = s.omega(i);
+    const double length2 = s.re.col(i).squaredNorm() + s.im.col(i).squaredNorm();
+    const double scale = h.scale(omega);
+    a.residual(i) = residual_norm(h, p, omega, i) / (scale * std::sqrt(length2));
+    a.form(i) = f.slope(omega) / length2;
+    a.sensitivity(i) = scale / std::abs(a.form(i));
+    a.error_bound(i) = (a.residual(i) + epsilon) * a.sensitivity(i);
+  }
+  sort_by_frequency(s, a);
+  return a;
+}
+
+}  // namespace gyromode

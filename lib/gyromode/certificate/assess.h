@@ -1,0 +1,19 @@
+#pragma once
+
+#include "gyromode/certificate/impedance.h"
+
+namespace gyromode {
+
+/// What is measured of every root of a Spectrum on the matrices as they were given.
+struct Assessment {
+  Vector residual;      ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂), 1-norms of matrices
+  Vector form;          ///< Xᴴ(2ωM − jG)X / ‖X‖²; first order XᴴIX / ‖X‖²: its sign is the energy sign
+  Vector error_bound;   ///< |δω| ≤ (‖H(ω)X‖ + ε·scale·‖X‖)‖X‖ / |Xᴴ(2ωM − jG)X|, to first order, for a simple root
+  Vector sensitivity;   ///< |δω| for a backward error of 1 in H relative to scale: scale·‖X‖² / |Xᴴ(2ωM − jG)X|
+};
+
+/// Moves every ω of `s` to the root of Xᴴ H(ω) X = 0 near it (the Rayleigh functional, whose error is quadratic in that of X) by Newton's method, where that
+/// is a correction and no jump; then measures. `s` stays sorted.
+Assessment assess(const Impedance& h, dense::Spectrum& s);
+
+}  // namespace gyromode

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+namespace gyromode {
+
+/// Numbers of negative and positive eigenvalues of a Hermitian matrix, by Sylvester's law from a Bunch–Kaufman factorisation.
+struct Inertia {
+  Index negative = 0;
+  Index positive = 0;
+  /// Smallest over largest |eigenvalue of D| after equilibration.
+  double margin = 1;
+
+  /// A backward error of 8 n ε could move an eigenvalue through zero: the matrix is singular to rounding, and the count may be off by the number
+  /// of tiny pivots.
+  bool doubtful() const;
+};
+
+/// The matrix is equilibrated by powers of two first (a congruence), so tiny diagonals and mixed units do no harm. LAPACK's dsytrf and zhetrf: a
+/// factorisation without 2 × 2 pivots returns wrong counts.
+Inertia inertia(const Matrix& symmetric);
+Inertia inertia(const ComplexMatrix& hermitian);
+
+}  // namespace gyromode

@@ -1,0 +1,146 @@
+#include "gyromode/dense/classical.h"
+
+#include "gyromode/dense/ignorable.h"
+#include "gyromode/dense/indefinite.h"
+#include "gyromode/dense/mass_normal.h"
+#include "gyromode/lapack/general.h"
+#include "gyromode/lapack/multiply.h"
+#include "gyromode/lapack/symmetric.h"
+#include "gyromode/structure/definiteness.h"
+#include "gyromode/system/promise.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace gyromode::dense {
+
+namespace {
+
+Definiteness describe_stiffness(const SecondOrder& m, Spectrum& s) {
+  Definiteness d = definiteness(m.stiffness);
+  s.stiffness_negative = s.reduced_negative = s.impedance_negative = d.negative;
+  s.stiffness_zero = d.zero;
+  s.stiffness_margin = d.margin;
+  s.zero_shapes.resize(m.size(), 0);
+  return d;
+}
+
+Matrix companion_matrix(const SecondOrder& m) {
+  const Index n = m.size();
+  const Eigen::LLT<Matrix> mass(m.mass);
+  Matrix a = Matrix::Zero(2 * n, 2 * n);
+  a.topLeftCorner(n, n) = -mass.solve(m.gyroscopic);
+  a.topRightCorner(n, n) = -mass.solve(m.stiffness);
+  a.bottomLeftCorner(n, n).setIdentity();
+  return a;
+}
+
+// Positions of the roots that are left when the `zeros` smallest are dropped, in the original order.
+std::vector<Index> nonzero_roots(const ComplexVector& lambda, Index zeros) {
+  std::vector<Index> order(static_cast<std::size_t>(lambda.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return std::abs(lambda(a)) < std::abs(lambda(b)); });
+  order.erase(order.begin(), order.begin() + zeros);
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
+// The roots ω > 0 of S y = −jωy, S = YᵀG*Y skew on the M*-orthonormal columns Y of one group of equal ω².
+void append_group(const Matrix& y, const Matrix& g_star, Index n, std::vector<double>& omega, std::vector<ComplexVector>& shapes) {
+  const Matrix s = lapack::multiply_tn(y, lapack::multiply(g_star, y));
+  const ComplexMatrix hermitian = Complex(0, 0.5) * (s - s.transpose()).cast<Complex>();
+  const Eigen::SelfAdjointEigenSolver<ComplexMatrix> e(hermitian);
+  const Index count = y.cols() / 2;
+  for (Index k = y.cols() - count; k < y.cols(); ++k) {
+    omega.push_back(e.eigenvalues()(k));
+    shapes.push_back(y.bottomRows(n) * e.eigenvectors().col(k));
+  }
+}
+
+}  // namespace
+
+void solve_companion(const SecondOrder& m, Spectrum& s) {
+  const Index n = m.size();
+  const Definiteness d = describe_stiffness(m, s);
+  const MassNormal normal(m.mass);
+  const NormalForm form{normal.gyroscopic(m.gyroscopic), normal.stiffness(m.stiffness)};
+  if (d.zero > 0) {
+    const Deflation deflation = deflate(form);
+    s.reduced_negative = deflation.negative;
+    s.impedance_negative = deflation.ignorable + deflation.negative + deflation.gyroscopic_null.cols() / 2;
+    s.zero_shapes.resize(n, deflation.zero_pairs);
+    for (Index k = 0; k < deflation.zero_pairs; ++k) s.zero_shapes.col(k) = d.null_space.col(std::min(k, d.zero - 1));
+  }
+  const auto e = lapack::general_eigen(companion_matrix(m));
+  const auto kept = nonzero_roots(e.values, 2 * s.zero_pairs());
+  Matrix re = e.vectors.bottomRows(n).real()(Eigen::all, kept);
+  Matrix im = e.vectors.bottomRows(n).imag()(Eigen::all, kept);
+  normal.to_normal(re);
+  normal.to_normal(im);
+  ComplexMatrix z(n, re.cols());
+  z.real() = re;
+  z.imag() = im;
+  IndefiniteModes modes = resolve_roots(form, e.values(kept), z);
+  s.omega = std::move(modes.omega);
+  s.divergence = std::move(modes.divergence);
+  s.flutter = std::move(modes.flutter);
+  s.flutter_uncertainty = std::move(modes.flutter_uncertainty);
+  s.flutter_shapes = std::move(modes.flutter_shapes);
+  s.re = modes.shapes.real();
+  s.im = modes.shapes.imag();
+  normal.to_physical(s.re);
+  normal.to_physical(s.im);
+  Matrix flutter_re = s.flutter_shapes.real();
+  Matrix flutter_im = s.flutter_shapes.imag();
+  normal.to_physical(flutter_re);
+  normal.to_physical(flutter_im);
+  s.flutter_shapes.real() = flutter_re;
+  s.flutter_shapes.imag() = flutter_im;
+  s.path = "first-order companion form of order 2n (asked for)";
+}
+
+void solve_symmetric_2n(const SecondOrder& m, Spectrum& s) {
+  const Index n = m.size();
+  const Definiteness d = describe_stiffness(m, s);
+  if (d.sign() != Sign::positive) {
+    throw MethodDoesNotApply(fmt::format("method 'symmetric-2n' (Meirovitch 1974) needs K positive definite: K has {} negative and {} zero eigenvalues; 'auto' "
+                                         "applies",
+                                         d.negative, d.zero));
+  }
+  Matrix m_star = Matrix::Zero(2 * n, 2 * n);
+  m_star.topLeftCorner(n, n) = m.mass;
+  m_star.bottomRightCorner(n, n) = m.stiffness;
+  Matrix g_star = Matrix::Zero(2 * n, 2 * n);
+  g_star.topLeftCorner(n, n) = m.gyroscopic;
+  g_star.topRightCorner(n, n) = m.stiffness;
+  g_star.bottomLeftCorner(n, n) = -m.stiffness;
+  const Matrix k_star = symmetric_part(lapack::multiply_tn(g_star, Eigen::LLT<Matrix>(m_star).solve(g_star)));
+  const auto e = lapack::symmetric_definite_eigen(k_star, m_star);
+
+  std::vector<double> omega;
+  std::vector<ComplexVector> shapes;
+  constexpr double same = 1e-8;  // of ω²: a group holds every pair that rounding could have mixed
+  for (Index first = 0, last; first < 2 * n; first = last) {
+    last = first + 2;
+    while (last < 2 * n && e.values(last) - e.values(last - 1) <= same * e.values(last)) last += 2;
+    append_group(e.vectors.middleCols(first, last - first), g_star, n, omega, shapes);
+  }
+  std::vector<std::size_t> order(omega.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return omega[a] < omega[b]; });
+  s.omega.resize(n);
+  s.re.resize(n, n);
+  s.im.resize(n, n);
+  for (Index k = 0; k < n; ++k) {
+    s.omega(k) = omega[order[static_cast<std::size_t>(k)]];
+    s.re.col(k) = shapes[order[static_cast<std::size_t>(k)]].real();
+    s.im.col(k) = shapes[order[static_cast<std::size_t>(k)]].imag();
+  }
+  s.path = "two real symmetric matrices of order 2n after Meirovitch 1974 (asked for)";
+}
+
+}  // namespace gyromode::dense

@@ -1,0 +1,62 @@
+#include "gyromode/dense/definite.h"
+#include "gyromode/dense/mass_normal.h"
+#include "gyromode/dense/second_order.h"
+#include "gyromode/lapack/singular.h"
+#include "gyromode/lapack/symmetric.h"
+#include "gyromode/structure/definiteness.h"
+
+#include <limits>
+
+namespace gyromode::dense {
+
+namespace {
+
+double rank_threshold(Index n, double largest) { return 8 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * largest; }
+
+// X = (L₁⁻ᵀa, −jL₂⁻ᵀc) for the singular vectors a, c of L₁⁻¹BL₂⁻ᵀ; the constant solutions are the null spaces of Bᵀ and B.
+void solve_partitioned(const Matrix& inertia, const Matrix& g, Spectrum& s) {
+  const Index p = s.split;
+  const Index r = inertia.rows() - p;
+  const MassNormal first(inertia.topLeftCorner(p, p));
+  const MassNormal second(inertia.bottomRightCorner(r, r));
+  const auto svd = lapack::singular_value_decomposition(first.coupling(g.topRightCorner(p, r), second));
+  const double largest = svd.values.size() > 0 ? svd.values(0) : 0;
+  const Index m = (svd.values.array() > rank_threshold(inertia.rows(), largest)).count();
+  s.omega = svd.values.head(m).reverse();
+  s.re = svd.u.leftCols(m).rowwise().reverse();
+  s.im = -svd.v.leftCols(m).rowwise().reverse();
+  first.to_physical(s.re);
+  second.to_physical(s.im);
+  s.path = "first order, quadrature: singular values of L₁⁻¹BL₂⁻ᵀ (real, p × r)";
+}
+
+void solve_whole(const Matrix& inertia, const Matrix& g, Spectrum& s) {
+  const MassNormal normal(inertia);
+  const Matrix skew = normal.gyroscopic(g);
+  ComplexModes modes = skew_modes(skew, rank_threshold(skew.rows(), skew.norm()));
+  s.omega = std::move(modes.omega);
+  s.re = std::move(modes.re);
+  s.im = std::move(modes.im);
+  normal.to_physical(s.re);
+  normal.to_physical(s.im);
+  s.path = "first order, general: singular values of a real bidiagonal matrix from the skew tridiagonal form of L⁻¹GL⁻ᵀ";
+}
+
+// An orthonormal basis of null(G), of the dimension that the count of modes leaves: the smallest eigenvalues of GᵀG.
+Matrix constant_solutions(const Matrix& g, Index count) {
+  if (count == 0) return Matrix(g.rows(), 0);
+  return lapack::singular_value_decomposition(g).v.rightCols(count);
+}
+
+}  // namespace
+
+void solve_first_order(const Matrix& inertia, const Matrix& gyroscopic, Spectrum& s) {
+  if (s.split >= 0) {
+    solve_partitioned(inertia, gyroscopic, s);
+  } else {
+    solve_whole(inertia, gyroscopic, s);
+  }
+  s.zero_shapes = constant_solutions(gyroscopic, inertia.rows() - 2 * s.omega.size());
+}
+
+}  // namespace gyromode::dense

@@ -1,0 +1,128 @@
+#include "gyromode/dense/ignorable.h"
+
+#include "gyromode/lapack/multiply.h"
+#include "gyromode/lapack/singular.h"
+#include "gyromode/lapack/triangular.h"
+#include "gyromode/structure/definiteness.h"
+
+#include <limits>
+
+namespace gyromode::dense {
+
+namespace {
+
+// null(k) with orthonormal columns; with a partition the first `first` of them live in the first group.
+struct NullBasis {
+  Matrix vectors;
+  Index first = 0;
+  Index negative = 0;
+};
+
+Matrix orthonormal(const Matrix& a) { return lapack::orthogonal_completion(a).leftCols(a.cols()); }
+
+NullBasis null_basis(const NormalForm& form) {
+  const Index n = form.size();
+  if (!form.quadrature()) {
+    const Definiteness d = definiteness(form.k);
+    return {orthonormal(d.null_space), d.zero, d.negative};
+  }
+  const Index p = form.split;
+  const Definiteness d1 = definiteness(form.k.topLeftCorner(p, p));
+  const Definiteness d2 = definiteness(form.k.bottomRightCorner(n - p, n - p));
+  NullBasis basis{Matrix::Zero(n, d1.zero + d2.zero), d1.zero, d1.negative + d2.negative};
+  if (d1.zero > 0) basis.vectors.topLeftCorner(p, d1.zero) = orthonormal(d1.null_space);
+  if (d2.zero > 0) basis.vectors.bottomRightCorner(n - p, d2.zero) = orthonormal(d2.null_space);
+  return basis;
+}
+
+// null(k) = N₀ ⊕ N_g by the singular values of NᵀΓN (its off-diagonal block where there is a partition); those up to
+// 8 n ε ‖Γ‖ are zero.
+struct NullSplit {
+  Matrix n0;
+  Matrix ng;
+};
+
+NullSplit split_null(const NormalForm& form, const NullBasis& basis) {
+  const Matrix& all = basis.vectors;
+  const double threshold = 8 * static_cast<double>(form.size()) * std::numeric_limits<double>::epsilon() * form.gamma.norm();
+  const bool blocks = form.quadrature();
+  const Matrix left = blocks ? Matrix(all.leftCols(basis.first)) : all;
+  const Matrix right = blocks ? Matrix(all.rightCols(all.cols() - basis.first)) : all;
+  const Matrix g = left.transpose() * form.gamma * right;
+  // Zero rows or columns make the decomposition square, so that both null spaces are complete.
+  const Index m = std::max(g.rows(), g.cols());
+  Matrix square = Matrix::Zero(m, m);
+  square.topLeftCorner(g.rows(), g.cols()) = g;
+  const auto svd = lapack::singular_value_decomposition(square);
+  const Index rank = (svd.values.array() > threshold).count();
+  const Matrix u = lapack::orthogonal_completion(svd.u.topLeftCorner(g.rows(), rank));
+  const Matrix v = lapack::orthogonal_completion(svd.v.topLeftCorner(g.cols(), rank));
+  NullSplit s;
+  if (blocks) {
+    s.n0.resize(form.size(), g.rows() + g.cols() - 2 * rank);
+    s.n0 << left * u.rightCols(g.rows() - rank), right * v.rightCols(g.cols() - rank);
+    s.ng.resize(form.size(), 2 * rank);
+    s.ng << left * u.leftCols(rank), right * v.leftCols(rank);
+  } else {
+    s.n0 = all * u.rightCols(g.rows() - rank);
+    s.ng = all * u.leftCols(rank);
+  }
+  return s;
+}
+
+// Orthonormal columns spanning the complement of N₀, group by group where there is a partition.
+Matrix complement(const NormalForm& form, const Matrix& n0, Index& split) {
+  const Index n = form.size();
+  const Index r0 = n0.cols();
+  if (!form.quadrature()) return lapack::orthogonal_completion(n0).rightCols(n - r0);
+  const Index p = form.split;
+  Index in_first = 0;
+  while (in_first < r0 && !n0.col(in_first).head(p).isZero(0)) ++in_first;
+  Matrix c = Matrix::Zero(n, n - r0);
+  split = p - in_first;
+  const Index second = n - p - (r0 - in_first);
+  c.topLeftCorner(p, split) = lapack::orthogonal_completion(n0.topLeftCorner(p, in_first)).rightCols(split);
+  c.bottomRightCorner(n - p, second) = lapack::orthogonal_completion(n0.bottomRightCorner(n - p, r0 - in_first)).rightCols(second);
+  return c;
+}
+
+}  // namespace
+
+Deflation deflate(NormalForm form) {
+  Deflation d;
+  for (;;) {  // every turn but the last removes at least one coordinate
+    const NullBasis basis = null_basis(form);
+    const NullSplit null = split_null(form, basis);
+    if (null.n0.cols() == 0) {
+      d.negative = basis.negative;
+      d.gyroscopic_null = null.ng;
+      d.zero_pairs += null.ng.cols() / 2;
+      break;
+    }
+    Index split = form.split;
+    Deflation::Step step;
+    step.n0 = null.n0;
+    step.c = complement(form, null.n0, split);
+    step.gamma_0c = lapack::multiply(lapack::multiply_tn(step.n0, form.gamma), step.c);
+    d.zero_pairs += null.n0.cols();
+    d.ignorable += null.n0.cols();
+    Matrix gamma = lapack::multiply_tn(step.c, lapack::multiply(form.gamma, step.c));
+    Matrix k = lapack::multiply_tn(step.c, lapack::multiply(form.k, step.c)) + lapack::gram(step.gamma_0c);
+    form = {0.5 * (gamma - gamma.transpose()), 0.5 * (k + k.transpose()), split};
+    d.steps.push_back(std::move(step));
+    if (form.size() == 0) break;
+  }
+  d.reduced = std::move(form);
+  return d;
+}
+
+ComplexMatrix Deflation::expand(const ComplexMatrix& shapes, const ComplexVector& lambda) const {
+  ComplexMatrix x = shapes;
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    const ComplexMatrix a = -(step->gamma_0c * x) * lambda.cwiseInverse().asDiagonal();
+    x = (step->c * x + step->n0 * a).eval();
+  }
+  return x;
+}
+
+}  // namespace gyromode::dense

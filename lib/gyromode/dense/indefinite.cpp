@@ -1,0 +1,238 @@
+#include "gyromode/dense/indefinite.h"
+
+#include "gyromode/dense/pencil.h"
+#include "gyromode/lapack/general.h"
+#include "gyromode/lapack/multiply.h"
+#include "gyromode/lapack/triangular.h"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace gyromode::dense {
+
+namespace {
+
+// 𝒮 ẇ = −𝓔 w of even order, real.
+struct EvenPencil {
+  Matrix s, e;
+};
+
+// A root with Re λ = 0 exactly (on the axis, ω = Im λ > 0), or Re λ > 0 and Im λ ≥ 0: one of each pair or quadruple.
+struct Root {
+  Complex lambda;
+  ComplexVector w;
+  double form;
+};
+
+std::vector<Root> roots_of(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w, int depth);
+
+ComplexMatrix times(const Matrix& a, const ComplexMatrix& x) {
+  ComplexMatrix y(a.rows(), x.cols());
+  y.real() = lapack::multiply(a, x.real());
+  y.imag() = lapack::multiply(a, x.imag());
+  return y;
+}
+
+lapack::GeneralEigen plain_eigen(const EvenPencil& p) { return lapack::general_eigen(Matrix(-p.s.partialPivLu().solve(p.e))); }
+
+Matrix real_span(const ComplexMatrix& w, const ComplexVector& lambda, const std::vector<Index>& group) {
+  Matrix span(w.rows(), static_cast<Index>(group.size()));
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    const Index i = group[k];
+    span.col(static_cast<Index>(k)) = lambda(i).imag() < 0 ? Vector(w.col(i).imag()) : Vector(w.col(i).real());
+  }
+  return Eigen::HouseholderQR<Matrix>(span).householderQ() * Matrix::Identity(span.rows(), span.cols());
+}
+
+EvenPencil projected(const EvenPencil& p, const Matrix& v) {
+  const Matrix s = lapack::multiply_tn(v, lapack::multiply(p.s, v));
+  const Matrix e = lapack::multiply_tn(v, lapack::multiply(p.e, v));
+  return {0.5 * (s - s.transpose()), 0.5 * (e + e.transpose())};
+}
+
+// Roots of one group with Im λ > 0 that may meet on the axis: the Hermitian pencil of 𝓔 and −j𝒮 on their span.
+void resolve_group(const EvenPencil& p, const ComplexMatrix& vectors, std::vector<Root>& roots) {
+  const ComplexMatrix q = Eigen::HouseholderQR<ComplexMatrix>(vectors).householderQ() * ComplexMatrix::Identity(vectors.rows(), vectors.cols());
+  ComplexMatrix a = q.adjoint() * times(p.e, q);
+  ComplexMatrix b = Complex(0, -1) * (q.adjoint() * times(p.s, q));
+  a = 0.5 * (a + a.adjoint().eval());
+  b = 0.5 * (b + b.adjoint().eval());
+  for (const PencilRoot& r : self_adjoint_pencil(a, b)) {
+    if (r.value.imag() > 0) continue;  // ω and ω̄ are one quadruple: keep Re λ = −Im ω > 0
+    roots.push_back({Complex(-r.value.imag(), r.value.real()), q * r.y, r.form});
+  }
+}
+
+// Groups of the positions `upper` (Im λ > 0): i and k belong together where |w_iᴴ𝒮w_k| is not small beside the largest of its row, or the roots
+// are within rounding of each other.
+std::vector<std::vector<Index>> paired_groups(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w, const std::vector<Index>& upper) {
+  constexpr double significant = 1e-4;
+  constexpr double close = 1e-9;
+  const Index m = static_cast<Index>(upper.size());
+  ComplexMatrix z(w.rows(), m);
+  for (Index k = 0; k < m; ++k) z.col(k) = w.col(upper[static_cast<std::size_t>(k)]);
+  const Matrix gram = (z.adjoint() * times(p.s, z)).cwiseAbs();
+  const double largest = lambda.cwiseAbs().maxCoeff();
+  std::vector<Index> parent(static_cast<std::size_t>(m));
+  std::iota(parent.begin(), parent.end(), Index{0});
+  const auto root = [&](Index i) {
+    while (parent[static_cast<std::size_t>(i)] != i) i = parent[static_cast<std::size_t>(i)];
+    return i;
+  };
+  for (Index i = 0; i < m; ++i) {
+    const double row = gram.row(i).maxCoeff();
+    for (Index k = 0; k < m; ++k) {
+      const Complex li = lambda(upper[static_cast<std::size_t>(i)]);
+      const Complex lk = lambda(upper[static_cast<std::size_t>(k)]);
+      if (i == k || std::abs(li - lk) > 0.1 * largest + 4 * std::abs(li.real())) continue;
+      if (gram(i, k) > significant * row || std::abs(li - lk) <= close * largest) {
+        parent[static_cast<std::size_t>(std::max(root(i), root(k)))] = std::min(root(i), root(k));
+      }
+    }
+  }
+  std::vector<std::vector<Index>> groups(static_cast<std::size_t>(m));
+  for (Index i = 0; i < m; ++i) groups[static_cast<std::size_t>(root(i))].push_back(i);
+  std::erase_if(groups, [](const auto& g) { return g.empty(); });
+  return groups;
+}
+
+void resolve_real(const ComplexVector& lambda, const ComplexMatrix& w, const EvenPencil& p, std::vector<Index>& real, std::vector<Root>& roots) {
+  for (const Index i : real) {
+    if (lambda(i).real() <= 0) continue;
+    double partner = 0;  // w(−σ)ᵀ𝒮w(σ)
+    const Vector sw = p.s * w.col(i).real();
+    for (const Index k : real) partner = std::max(partner, std::abs(w.col(k).real().dot(sw)));
+    roots.push_back({lambda(i), w.col(i), partner});
+  }
+}
+
+// Roots below 1 % of the largest, in a basis of their span: the error of the plain eigenvalues is relative to the largest.
+void resolve_small(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w, const std::vector<Index>& small, std::vector<Root>& roots,
+                   int depth) {
+  const Matrix v = real_span(w, lambda, small);
+  const EvenPencil inner = projected(p, v);
+  const auto e = plain_eigen(inner);
+  for (Root& r : roots_of(inner, e.values, e.vectors, depth + 1)) roots.push_back({r.lambda, v * r.w, r.form});
+}
+
+std::vector<Root> roots_of(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w, int depth) {
+  constexpr double small_ratio = 1e-2;
+  constexpr int deepest = 12;
+  const double largest = lambda.cwiseAbs().maxCoeff();
+  std::vector<Index> small, real, upper;
+  for (Index i = 0; i < lambda.size(); ++i) {
+    if (depth < deepest && std::abs(lambda(i)) <= small_ratio * largest) {
+      small.push_back(i);
+    } else if (lambda(i).imag() == 0) {
+      real.push_back(i);
+    } else if (lambda(i).imag() > 0) {
+      upper.push_back(i);
+    }
+  }
+  std::vector<Root> roots;
+  resolve_real(lambda, w, p, real, roots);
+  for (const auto& group : paired_groups(p, lambda, w, upper)) {
+    ComplexMatrix vectors(w.rows(), static_cast<Index>(group.size()));
+    for (std::size_t k = 0; k < group.size(); ++k) vectors.col(static_cast<Index>(k)) = w.col(upper[static_cast<std::size_t>(group[k])]);
+    resolve_group(p, vectors, roots);
+  }
+  if (small.size() % 2 == 0 && !small.empty()) {
+    resolve_small(p, lambda, w, small, roots, depth);
+  } else if (!small.empty()) {  // a pair torn by the limit: keep the group whole at this level
+    return roots_of(p, lambda, w, deepest);
+  }
+  return roots;
+}
+
+IndefiniteModes collected(Index n, const std::vector<Root>& roots, double gamma) {
+  IndefiniteModes modes;
+  std::vector<const Root*> vibrations;
+  for (const Root& r : roots) {
+    if (r.lambda.real() == 0) {
+      if (r.lambda.imag() > 0) vibrations.push_back(&r);
+    } else if (r.lambda.imag() == 0) {
+      modes.divergence.push_back(r.lambda.real() * gamma);
+    } else {
+      modes.flutter.push_back(r.lambda * gamma);
+      // 𝓔 and 𝒮 are of order one in units of γ: |δλ| ≤ η/|w₋ᴴ𝒮w|.
+      modes.flutter_uncertainty.push_back(4 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * gamma / r.form);
+      modes.flutter_shapes.conservativeResize(n, modes.flutter_shapes.cols() + 1);
+      modes.flutter_shapes.rightCols(1) = r.w.head(n);
+    }
+  }
+  std::sort(vibrations.begin(), vibrations.end(), [](const Root* a, const Root* b) { return a->lambda.imag() < b->lambda.imag(); });
+  const Index m = static_cast<Index>(vibrations.size());
+  modes.omega.resize(m);
+  modes.shapes.resize(n, m);
+  for (Index k = 0; k < m; ++k) {
+    const Root& r = *vibrations[static_cast<std::size_t>(k)];
+    modes.omega(k) = r.lambda.imag() * gamma;
+    modes.shapes.col(k) = r.w.head(n);
+  }
+  return modes;
+}
+
+double time_scale(const NormalForm& form) {
+  const double g = std::max(std::sqrt(form.k.norm()), form.gamma.norm());
+  return g > 0 ? g : 1;
+}
+
+EvenPencil even_pencil(const NormalForm& form, double gamma) {
+  const Index n = form.size();
+  EvenPencil p{Matrix::Zero(2 * n, 2 * n), Matrix::Zero(2 * n, 2 * n)};
+  p.s.topLeftCorner(n, n) = form.gamma / gamma;
+  p.s.topRightCorner(n, n).setIdentity();
+  p.s.bottomLeftCorner(n, n) = -Matrix::Identity(n, n);
+  // time in units of 1/γ: 𝓔/γ
+  p.e.topLeftCorner(n, n) = form.k / (gamma * gamma);
+  p.e.bottomRightCorner(n, n).setIdentity();
+  return p;
+}
+
+// [0 1; −k −Γ] in units of γ.
+Matrix companion(const NormalForm& form, double gamma) {
+  const Index n = form.size();
+  Matrix a = Matrix::Zero(2 * n, 2 * n);
+  a.topRightCorner(n, n).setIdentity();
+  a.bottomLeftCorner(n, n) = -form.k / (gamma * gamma);
+  a.bottomRightCorner(n, n) = -form.gamma / gamma;
+  return a;
+}
+
+}  // namespace
+
+IndefiniteModes indefinite_modes(const NormalForm& form, const Matrix& gyroscopic_null) {
+  const Index n = form.size();
+  const double gamma = time_scale(form);
+  const EvenPencil p = even_pencil(form, gamma);
+  if (gyroscopic_null.cols() == 0) {
+    const auto e = lapack::general_eigen(companion(form, gamma));
+    return collected(n, roots_of(p, e.values, e.vectors, 0), gamma);
+  }
+  // 𝓔(N_g, 0) = 0, so (N_g, 0)ᵀ𝒮w is constant, and zero in every motion with λ ≠ 0: those live in the complement of 𝒮(N_g, 0).
+  Matrix null = Matrix::Zero(2 * n, gyroscopic_null.cols());
+  null.topRows(n) = gyroscopic_null;
+  const Matrix v = lapack::orthogonal_completion(lapack::multiply(p.s, null)).rightCols(2 * n - null.cols());
+  const EvenPencil regular = projected(p, v);
+  const auto e = plain_eigen(regular);
+  auto roots = roots_of(regular, e.values, e.vectors, 0);
+  for (Root& r : roots) r.w = (v * r.w).eval();
+  return collected(n, roots, gamma);
+}
+
+IndefiniteModes resolve_roots(const NormalForm& form, const ComplexVector& lambda, const ComplexMatrix& z) {
+  const Index n = form.size();
+  const double gamma = time_scale(form);
+  ComplexMatrix w(2 * n, z.cols());
+  w.topRows(n) = z;
+  w.bottomRows(n) = z * (lambda / gamma).asDiagonal();
+  w.colwise().normalize();
+  return collected(n, roots_of(even_pencil(form, gamma), lambda / gamma, w, 0), gamma);
+}
+
+}  // namespace gyromode::dense

@@ -1,0 +1,49 @@
+#include "gyromode/dense/mass_normal.h"
+
+#include "gyromode/lapack/status.h"
+#include "gyromode/lapack/triangular.h"
+#include "gyromode/system/scale.h"
+
+namespace gyromode::dense {
+
+MassNormal::MassNormal(const Matrix& m) : scale_(unit_diagonal_scale(m)), l_(scaled(m, scale_)) {
+  if (lapack::cholesky(l_)) throw lapack::Failure("the mass matrix of a group is not numerically positive definite");
+}
+
+Matrix MassNormal::stiffness(const Matrix& k) const { return lapack::congruence(l_, scaled(k, scale_)); }
+
+Matrix MassNormal::gyroscopic(const Matrix& g) const {
+  Matrix a = scaled(g, scale_);
+  lapack::solve_lower(l_, a);
+  lapack::solve_lower_transposed_right(l_, a);
+  return 0.5 * (a - a.transpose().eval());
+}
+
+Matrix MassNormal::coupling(const Matrix& b, const MassNormal& other) const {
+  Matrix a = scale_.asDiagonal() * b * other.scale_.asDiagonal();
+  lapack::solve_lower(l_, a);
+  lapack::solve_lower_transposed_right(other.l_, a);
+  return a;
+}
+
+Matrix MassNormal::stiffness_root(const Matrix& k) const {
+  // F̂ F̂ᵀ = E K E with unit diagonal; F = E⁻¹ F̂ and f = L⁻¹ D E⁻¹ F̂.
+  const Vector e = unit_diagonal_scale(k);
+  Matrix f = scaled(k, e);
+  if (lapack::cholesky(f)) throw lapack::Failure("the stiffness of a group is not numerically positive definite");
+  f = (scale_.array() / e.array()).matrix().asDiagonal() * f;
+  lapack::solve_lower(l_, f);
+  return f;
+}
+
+void MassNormal::to_physical(MatrixSpan z) const {
+  lapack::solve_lower_transposed(l_, z);
+  z = scale_.asDiagonal() * z;
+}
+
+void MassNormal::to_normal(MatrixSpan q) const {
+  q = scale_.cwiseInverse().asDiagonal() * q;
+  lapack::multiply_lower_transposed(l_, q);
+}
+
+}  // namespace gyromode::dense

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+namespace gyromode::dense {
+
+/// Coordinates in which the mass matrix of a group is the unit matrix: q = D L⁻ᵀ z with D M D = L Lᵀ, D the power-of-two scaling to unit
+/// diagonal (so that mixed units cost no digits).
+class MassNormal {
+ public:
+  /// m: n × n, positive definite, lower triangle read. Throws lapack::Failure where the factorisation fails all the same.
+  explicit MassNormal(const Matrix& m);
+
+  Index size() const { return l_.rows(); }
+
+  /// L⁻¹ D K D L⁻ᵀ for symmetric K (n × n), symmetric to the last bit.
+  Matrix stiffness(const Matrix& k) const;
+  /// L⁻¹ D G D L⁻ᵀ for skew G, skew to the last bit.
+  Matrix gyroscopic(const Matrix& g) const;
+  /// L₁⁻¹ D₁ B D₂ L₂⁻ᵀ for B coupling this group (rows) to `other` (columns).
+  Matrix coupling(const Matrix& b, const MassNormal& other) const;
+  /// f = L⁻¹ D F with K = F Fᵀ, so that the normalised stiffness is f fᵀ (theory (T5)); lower triangular, from a Cholesky factor of the
+  /// scaled K: small eigenvalues of a graded K keep their digits. K must be positive definite.
+  Matrix stiffness_root(const Matrix& k) const;
+  /// z := D L⁻ᵀ z, columns from normal to physical coordinates.
+  void to_physical(MatrixSpan z) const;
+  /// q := Lᵀ D⁻¹ q, the reverse.
+  void to_normal(MatrixSpan q) const;
+
+ private:
+  Vector scale_;
+  Matrix l_;
+};
+
+}  // namespace gyromode::dense

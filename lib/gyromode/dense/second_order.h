@@ -1,0 +1,23 @@
+#pragma once
+
+#include "gyromode/dense/spectrum.h"
+
+namespace gyromode::dense {
+
+/// The matrices of one component in the order of its Spectrum; with a partition, `split` coordinates in phase come first.
+struct SecondOrder {
+  Matrix mass, gyroscopic, stiffness;
+  Index split = -1;
+
+  Index size() const { return mass.rows(); }
+};
+
+/// Fills the roots, counts and path of `s`, whose order and split are set, by the solvers of theory §1 and §3. Zero roots of a singular K are
+/// removed first and exactly.
+void solve_second_order(const SecondOrder& m, Spectrum& s);
+
+/// I q̇ + G q = 0 (theory §3d): singular values of L₁⁻¹BL₂⁻ᵀ with a partition, else of the bidiagonal half of the tridiagonalised L⁻¹GL⁻ᵀ. Singular
+/// values up to 8 n ε of the largest are zero.
+void solve_first_order(const Matrix& inertia, const Matrix& gyroscopic, Spectrum& s);
+
+}  // namespace gyromode::dense

@@ -1,0 +1,73 @@
+#include "gyromode/dense/solve.h"
+
+#include "gyromode/dense/classical.h"
+#include "gyromode/dense/second_order.h"
+
+#include <fmt/format.h>
+
+namespace gyromode::dense {
+
+namespace {
+
+std::vector<Index> ordered(const Component& component, bool with_partition) {
+  if (!with_partition) return component.coordinates;
+  std::vector<Index> order = component.in_phase;
+  order.insert(order.end(), component.in_quadrature.begin(), component.in_quadrature.end());
+  return order;
+}
+
+void require_partition(const Component& component, const Labels& labels) {
+  if (component.quadrature()) return;
+  const Index first = component.odd_cycle->coordinates.front();
+  throw MethodDoesNotApply(
+      fmt::format("method 'quadrature' needs a quadrature partition, which the component of coordinate '{}' does not have (gyromode structure shows "
+                  "why); 'auto' or 'general' apply",
+                  labels[static_cast<std::size_t>(first)]));
+}
+
+}  // namespace
+
+Matrix restricted(const Matrix& a, const std::vector<Index>& rows, const std::vector<Index>& columns) { return a(rows, columns); }
+
+ComplexVector Spectrum::shape(Index k) const {
+  ComplexVector x = ComplexVector::Zero(size());
+  if (split < 0) {
+    x.real() = re.col(k);
+    x.imag() = im.col(k);
+  } else {
+    x.head(split).real() = re.col(k);
+    x.tail(size() - split).imag() = im.col(k);
+  }
+  return x;
+}
+
+Spectrum solve(const System& system, const Component& component, Method method) {
+  if (method == Method::quadrature) require_partition(component, system.labels());
+  const bool with_partition = component.quadrature() && (method == Method::automatic || method == Method::quadrature);
+  Spectrum s;
+  s.order = ordered(component, with_partition);
+  s.split = with_partition ? static_cast<Index>(component.in_phase.size()) : -1;
+  const SecondOrder matrices{restricted(system.mass(), s.order, s.order), restricted(system.gyroscopic(), s.order, s.order),
+                             restricted(system.stiffness(), s.order, s.order), s.split};
+  switch (method) {
+    case Method::first_order: solve_companion(matrices, s); break;
+    case Method::symmetric_2n: solve_symmetric_2n(matrices, s); break;
+    default: solve_second_order(matrices, s); break;
+  }
+  return s;
+}
+
+Spectrum solve(const FirstOrderSystem& system, const Component& component, Method method) {
+  if (method == Method::quadrature) require_partition(component, system.labels());
+  if (method == Method::first_order || method == Method::symmetric_2n) {
+    throw MethodDoesNotApply("the classical 2n methods start from M, G, K; a first-order model is solved as it stands: use 'auto', 'quadrature' or 'general'");
+  }
+  const bool with_partition = component.quadrature() && method != Method::general;
+  Spectrum s;
+  s.order = ordered(component, with_partition);
+  s.split = with_partition ? static_cast<Index>(component.in_phase.size()) : -1;
+  solve_first_order(restricted(system.inertia(), s.order, s.order), restricted(system.gyroscopic(), s.order, s.order), s);
+  return s;
+}
+
+}  // namespace gyromode::dense

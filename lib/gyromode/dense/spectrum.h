@@ -1,0 +1,50 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace gyromode::dense {
+
+/// Which solver to use. `automatic` takes the best for the class; the others are refused (MethodDoesNotApply) where they do not apply.
+enum class Method { automatic, quadrature, general, first_order, symmetric_2n };
+
+/// A method that does not fit the system; what() says why and what to use instead.
+class MethodDoesNotApply : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// All roots of one connected component of M q̈ + G q̇ + K q = 0 (or I q̇ + G q = 0), as a solver leaves them: not yet certified.
+struct Spectrum {
+  /// Positions of the component's coordinates in the system; with a partition those in phase come first.
+  std::vector<Index> order;
+  Index split = -1;  ///< number of coordinates in phase, −1 without a partition
+
+  Vector omega;  ///< undamped roots with ω > 0, ascending
+  /// Shapes X = re + j im in the order above. With a partition re holds the first `split` rows only and im the others only.
+  Matrix re, im;
+
+  Matrix zero_shapes;              ///< n × zero_pairs, real: one column a pair of zero roots (a zero root, in first order)
+  std::vector<double> divergence;  ///< σ > 0 of real pairs ±σ
+  std::vector<Complex> flutter;    ///< σ + jω, σ, ω > 0, of quadruples
+  std::vector<double> flutter_uncertainty;  ///< how far a backward error of 4 n ε moves each flutter root, to first order
+  ComplexMatrix flutter_shapes;             ///< n × quadruples: X of X e^{λt}
+
+  Index stiffness_negative = 0;  ///< n₋(K)
+  Index stiffness_zero = 0;      ///< dim null(K)
+  double stiffness_margin = 1;   ///< smallest over largest |eigenvalue| of the equilibrated K
+  Index reduced_negative = 0;    ///< n₋(K) without ignorable coordinates: k_r + 2k_c + 2k₋ (theory (T12))
+  Index impedance_negative = 0;  ///< n₋(H(0⁺)) (theory (T10))
+
+  std::string path;  ///< which solver, and why
+
+  Index size() const { return static_cast<Index>(order.size()); }
+  Index zero_pairs() const { return zero_shapes.cols(); }
+  /// Column k as a complex vector of all rows, in the order above.
+  ComplexVector shape(Index k) const;
+};
+
+}  // namespace gyromode::dense

@@ -1,0 +1,399 @@
+// Format: R. F. Boisvert, R. Pozo, K. A. Remington, The Matrix Market Exchange Formats: Initial Design, NISTIR 5935, 1996.
+#include "gyromode/io/matrix_market.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <initializer_list>
+#include <limits>
+#include <new>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <tuple>
+#include <vector>
+
+namespace gyromode::io {
+
+namespace {
+
+constexpr std::string_view banner_form = "%%MatrixMarket matrix coordinate|array real|integer general|symmetric|skew-symmetric";
+constexpr Index largest_side = std::numeric_limits<std::int32_t>::max();  // rows · cols then fits an Index
+
+struct Banner {
+  bool coordinate = true;
+  bool integer = false;
+  Symmetry symmetry = Symmetry::general;
+};
+
+struct Size {
+  Index rows = 0;
+  Index cols = 0;
+  Index entries = 0;     // stored in the file: of the lower triangle, where there is symmetry
+  std::size_t line = 0;  // where the file says so
+};
+
+struct Entry {
+  Index row = 0;  // counted from 0
+  Index col = 0;
+  double value = 0;
+  std::size_t line = 0;
+};
+
+// A piece of the file as messages show it: 40 characters at most, and nothing that a terminal would obey.
+std::string shown(std::string_view piece) {
+  constexpr std::size_t most = 40;
+  std::string out;
+  for (const char c : piece.substr(0, most)) {
+    if (c >= ' ' && c <= '~') {
+      out += c;
+    } else {
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    }
+  }
+  return piece.size() > most ? out + "..." : out;
+}
+
+// The text line by line, each split into words. Lines end with LF; the CR of CRLF is a blank.
+class Lines {
+ public:
+  Lines(std::string_view text, const std::filesystem::path& file) : rest_(text), file_(file) {}
+
+  bool next() {
+    if (rest_.empty()) return false;
+    const std::size_t end = rest_.find('\n');
+    line_ = trimmed(rest_.substr(0, end));
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    ++number_;
+    return true;
+  }
+
+  // The next line that is neither blank nor a comment.
+  bool next_data() {
+    while (next()) {
+      if (line_.empty() || line_.front() == '%') continue;
+      split();
+      return true;
+    }
+    return false;
+  }
+
+  void split() {
+    count_ = 0;
+    for (std::string_view left = line_; !left.empty() && count_ < words_.size(); ++count_) {
+      const std::size_t end = std::min(left.find_first_of(blanks), left.size());
+      words_[count_] = left.substr(0, end);
+      left = trimmed(left.substr(end));
+    }
+  }
+
+  std::string_view line() const { return line_; }
+  std::size_t number() const { return number_; }
+  std::span<const std::string_view> words() const { return {words_.data(), count_}; }
+
+  // The words of a line that must have `count` of them.
+  std::span<const std::string_view> words(std::size_t count, std::string_view form) const {
+    if (count_ < count) fail(fmt::format("line '{}' is too short: {} was expected", shown(line_), form));
+    if (count_ > count) fail(fmt::format("'{}' is one too many on its line: {} was expected", shown(words_[count]), form));
+    return words();
+  }
+
+  [[noreturn]] void fail(const std::string& message) const { throw InputError(file_, number_, 0, message); }
+
+ private:
+  static constexpr std::string_view blanks = " \t\r";
+
+  static std::string_view trimmed(std::string_view s) {
+    s.remove_prefix(std::min(s.find_first_not_of(blanks), s.size()));
+    return s.substr(0, s.find_last_not_of(blanks) + 1);
+  }
+
+  std::string_view rest_;
+  std::filesystem::path file_;
+  std::string_view line_;
+  std::size_t number_ = 0;
+  std::array<std::string_view, 6> words_;  // one more than the longest line, the banner, has
+  std::size_t count_ = 0;
+};
+
+// ---- numbers: std::from_chars, which knows no locale and no '+'
+
+std::string_view without_plus(std::string_view word) {
+  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+}
+
+std::optional<std::int64_t> whole_number(std::string_view word) {
+  word = without_plus(word);
+  std::int64_t value = 0;
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || stop != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+// Of a decimal number that no double holds: whether it is below 1, so too small rather than too large.
+bool is_below_one(std::string_view number) {
+  const std::size_t e = std::min(number.find_first_of("eE"), number.size());
+  const std::string_view mantissa = number.substr(0, e);
+  const auto point = static_cast<double>(std::min(mantissa.find('.'), e));
+  const auto first = static_cast<double>(std::min(mantissa.find_first_of("123456789"), e));
+  double exponent = 0;
+  for (const char c : number.substr(e)) {
+    if (c >= '0' && c <= '9') exponent = std::min(10 * exponent + (c - '0'), 1e15);
+  }
+  if (number.substr(e).find('-') != std::string_view::npos) exponent = -exponent;
+  return point - first + exponent < 0;
+}
+
+double real_value(const Lines& lines, std::string_view word, std::string_view form) {
+  std::string_view number = without_plus(word);
+  std::string with_e;
+  if (number.find_first_of("dD") != std::string_view::npos) {  // Fortran's 1.0D+03
+    with_e = number;
+    std::replace_if(with_e.begin(), with_e.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
+    number = with_e;
+  }
+  double value = 0;
+  const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (error == std::errc::invalid_argument || stop != number.data() + number.size()) {
+    lines.fail(fmt::format("value '{}' is not a number: {} was expected", shown(word), form));
+  }
+  if (error == std::errc::result_out_of_range && is_below_one(number)) return 0;
+  if (error != std::errc{} || !std::isfinite(value)) {
+    lines.fail(fmt::format("value '{}' is not finite as a double: at most 1.8e308 in magnitude was expected", shown(word)));
+  }
+  return value;
+}
+
+double integer_value(const Lines& lines, std::string_view word) {
+  constexpr std::int64_t largest = std::int64_t{1} << 53;  // beyond, doubles skip some
+  const auto value = whole_number(word);
+  if (!value || *value < -largest || *value > largest) {
+    lines.fail(fmt::format("value '{}' is not a whole number within 2^53: the first line promises the field integer", shown(word)));
+  }
+  return static_cast<double>(*value);
+}
+
+// ---- the two lines ahead of the entries
+
+std::string lower_case(std::string_view word) {
+  std::string out(word);
+  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return out;
+}
+
+std::string_view reason_to_refuse(std::string_view word) {
+  if (word == "complex" || word == "hermitian") return " (only real matrices are)";
+  if (word == "pattern") return " (it has no values)";
+  return "";
+}
+
+// The place of `word` among those this reader knows.
+std::size_t choice(const Lines& lines, std::string_view what, std::string_view word, std::initializer_list<std::string_view> known) {
+  const std::string lower = lower_case(word);
+  const auto found = std::find(known.begin(), known.end(), lower);
+  if (found == known.end()) {
+    lines.fail(fmt::format("{} '{}' is not read{}: {} was expected", what, shown(word), reason_to_refuse(lower),
+                           fmt::join(known, " or ")));
+  }
+  return static_cast<std::size_t>(found - known.begin());
+}
+
+Banner read_banner(Lines& lines) {
+  lines.next();
+  lines.split();
+  const auto words = lines.words();
+  if (words.size() != 5 || lower_case(words[0]) != "%%matrixmarket") {
+    lines.fail(fmt::format("first line '{}' is not a banner: '{}' was expected", shown(lines.line()), banner_form));
+  }
+  choice(lines, "object", words[1], {"matrix"});
+  constexpr std::array symmetries = {Symmetry::general, Symmetry::symmetric, Symmetry::skew_symmetric};
+  return {.coordinate = choice(lines, "format", words[2], {"coordinate", "array"}) == 0,
+          .integer = choice(lines, "field", words[3], {"real", "integer"}) == 1,
+          .symmetry = symmetries[choice(lines, "symmetry", words[4], {"general", "symmetric", "skew-symmetric"})]};
+}
+
+Index read_size_number(const Lines& lines, std::string_view what, std::string_view word, Index least, Index most) {
+  const auto value = whole_number(word);
+  if (!value || *value < least || *value > most) {
+    lines.fail(fmt::format("{} '{}': a whole number from {} to {} was expected", what, shown(word), least, most));
+  }
+  return *value;
+}
+
+// Values that an array file stores.
+Index array_length(Index rows, Index cols, Symmetry symmetry) {
+  if (symmetry == Symmetry::symmetric) return rows * (rows + 1) / 2;
+  if (symmetry == Symmetry::skew_symmetric) return rows * (rows - 1) / 2;
+  return rows * cols;
+}
+
+Size read_size(Lines& lines, const Banner& banner) {
+  const std::string_view form = banner.coordinate ? "the size line 'rows columns entries'" : "the size line 'rows columns'";
+  if (!lines.next_data()) lines.fail(fmt::format("the file ends here: {} was expected", form));
+  const auto words = lines.words(banner.coordinate ? 3 : 2, form);
+  Size size{.line = lines.number()};
+  size.rows = read_size_number(lines, "number of rows", words[0], 1, largest_side);
+  size.cols = read_size_number(lines, "number of columns", words[1], 1, largest_side);
+  if (banner.symmetry != Symmetry::general && size.rows != size.cols) {
+    lines.fail(fmt::format("size {} x {} is not square: the first line promises symmetry", size.rows, size.cols));
+  }
+  if (!banner.coordinate) {
+    size.entries = array_length(size.rows, size.cols, banner.symmetry);
+    return size;
+  }
+  size.entries = read_size_number(lines, "number of entries", words[2], 0, std::numeric_limits<Index>::max());
+  if (!fits_dense(size.rows, size.cols, size.entries)) {
+    lines.fail(fmt::format("size {} x {} with {} entries is not read as a dense matrix of {:.3g} GB: at most 0.268 GB, or sides up to "
+                           "46000 and an entry for each row or column was expected",
+                           size.rows, size.cols, size.entries, 8e-9 * static_cast<double>(size.rows) * static_cast<double>(size.cols)));
+  }
+  return size;
+}
+
+// ---- the entries
+
+// Reads the data lines with `read_line()`. Their number is the one promised, or this throws; memory grows with the text alone.
+template <class Item, class ReadLine>
+std::vector<Item> read_data(Lines& lines, const Size& size, std::string_view what, ReadLine read_line) {
+  std::vector<Item> items;
+  while (lines.next_data()) {
+    if (static_cast<Index>(items.size()) == size.entries) {
+      lines.fail(fmt::format("'{}' is one too many: line {} promises {}", shown(lines.line()), size.line, size.entries));
+    }
+    items.push_back(read_line());
+  }
+  if (static_cast<Index>(items.size()) < size.entries) {
+    lines.fail(fmt::format("the file ends after {} of the {} {} that line {} promises", items.size(), size.entries, what, size.line));
+  }
+  return items;
+}
+
+double read_value(const Lines& lines, const Banner& banner, std::string_view word, std::string_view form) {
+  return banner.integer ? integer_value(lines, word) : real_value(lines, word, form);
+}
+
+Index read_index(const Lines& lines, std::string_view what, std::string_view word, Index count) {
+  const auto value = whole_number(word);
+  if (!value || *value < 1 || *value > count) {
+    lines.fail(fmt::format("{} '{}' is outside the matrix: a whole number from 1 to {} was expected", what, shown(word), count));
+  }
+  return *value - 1;
+}
+
+Entry read_entry(const Lines& lines, const Banner& banner, const Size& size) {
+  constexpr std::string_view form = "'row column value'";
+  const auto words = lines.words(3, form);
+  const Entry entry{.row = read_index(lines, "row", words[0], size.rows),
+                    .col = read_index(lines, "column", words[1], size.cols),
+                    .value = read_value(lines, banner, words[2], form),
+                    .line = lines.number()};
+  if (banner.symmetry != Symmetry::general && entry.row < entry.col) {
+    lines.fail(fmt::format("entry ({},{}) is above the diagonal: with symmetry only the lower triangle was expected", entry.row + 1,
+                           entry.col + 1));
+  }
+  if (banner.symmetry == Symmetry::skew_symmetric && entry.row == entry.col && entry.value != 0) {
+    lines.fail(fmt::format("entry ({0},{0}) = {1} is on the diagonal of a skew-symmetric matrix: zero or no entry was expected",
+                           entry.row + 1, shown(words[2])));
+  }
+  return entry;
+}
+
+// Sorts the entries by place, and refuses the earliest repetition in the file.
+void require_distinct(std::vector<Entry>& entries, const std::filesystem::path& name) {
+  const auto key = [](const Entry& e) { return std::tuple(e.col, e.row, e.line); };
+  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
+  const Entry* repeated = nullptr;
+  for (std::size_t k = 1; k < entries.size(); ++k) {
+    const bool same = entries[k].col == entries[k - 1].col && entries[k].row == entries[k - 1].row;
+    if (same && (!repeated || entries[k].line < repeated->line)) repeated = &entries[k];
+  }
+  if (!repeated) return;
+  throw InputError(name, repeated->line, 0,
+                   fmt::format("entry ({},{}) was already given in line {}: each entry once was expected", repeated->row + 1,
+                               repeated->col + 1, (repeated - 1)->line));
+}
+
+Matrix zero_matrix(const Size& size, const std::filesystem::path& name) {
+  try {
+    return Matrix::Zero(size.rows, size.cols);
+  } catch (const std::bad_alloc&) {
+    throw InputError(name, size.line, 0, fmt::format("there is no memory for a dense {} x {} matrix", size.rows, size.cols));
+  }
+}
+
+void place(Matrix& a, Index row, Index col, double value, Symmetry symmetry) {
+  if (symmetry == Symmetry::symmetric) a(col, row) = value;
+  if (symmetry == Symmetry::skew_symmetric) a(col, row) = 0.0 - value;  // not −value: that makes −0 of 0
+  a(row, col) = value;
+}
+
+Matrix read_coordinate(Lines& lines, const Banner& banner, const Size& size, const std::filesystem::path& name) {
+  auto entries = read_data<Entry>(lines, size, "entries", [&] { return read_entry(lines, banner, size); });
+  require_distinct(entries, name);
+  Matrix a = zero_matrix(size, name);
+  for (const Entry& e : entries) place(a, e.row, e.col, e.value, banner.symmetry);
+  return a;
+}
+
+// Column by column; with symmetry each column starts at, or for skew-symmetric below, the diagonal.
+Matrix read_array(Lines& lines, const Banner& banner, const Size& size, const std::filesystem::path& name) {
+  constexpr std::string_view form = "one value a line";
+  const auto read_line = [&] { return read_value(lines, banner, lines.words(1, form)[0], form); };
+  const auto values = read_data<double>(lines, size, "values", read_line);
+  Matrix a = zero_matrix(size, name);
+  auto value = values.begin();
+  for (Index col = 0; col < size.cols; ++col) {
+    const Index first = banner.symmetry == Symmetry::general ? 0 : banner.symmetry == Symmetry::symmetric ? col : col + 1;
+    for (Index row = first; row < size.rows; ++row) place(a, row, col, *value++, banner.symmetry);
+  }
+  return a;
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) throw InputError(file, "is a directory: a Matrix Market file was expected");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) {
+    const std::string why = std::generic_category().message(errno);
+    throw InputError(file, fmt::format("cannot be opened ({}): a Matrix Market file was expected", why));
+  }
+  std::string text;
+  std::vector<char> chunk(1 << 16);
+  do {
+    in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+    text.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
+  } while (in);
+  if (in.bad()) throw InputError(file, fmt::format("cannot be read beyond byte {}", text.size()));
+  return text;
+}
+
+}  // namespace
+
+bool fits_dense(Index rows, Index cols, Index entries) {
+  constexpr Index always = (Index{256} << 20) / Index{sizeof(double)};
+  constexpr Index longest = 46'000;  // about where LAPACK's 32-bit indices end: 46 340² = 2³¹
+  if (rows <= always && cols <= always / std::max(rows, Index{1})) return true;
+  return std::max(rows, cols) <= longest && entries >= std::min(rows, cols);
+}
+
+Matrix parse_matrix_market(std::string_view text, const std::filesystem::path& name) {
+  if (text.empty()) throw InputError(name, fmt::format("is empty: '{}' was expected as its first line", banner_form));
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+    const auto line = static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n')) + 1;
+    throw InputError(name, line, 0, "byte '\\x00' is not text: this is a binary file, a Matrix Market file was expected");
+  }
+  Lines lines(text, name);
+  const Banner banner = read_banner(lines);
+  const Size size = read_size(lines, banner);
+  return banner.coordinate ? read_coordinate(lines, banner, size, name) : read_array(lines, banner, size, name);
+}
+
+Matrix read_matrix_market(const std::filesystem::path& file) { return parse_matrix_market(read_text(file), file); }
+
+}  // namespace gyromode::io

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+namespace gyromode::lapack {
+
+/// Products of dense matrices by the BLAS (dgemm, dsyrk). Shapes as in the formulas; c is resized.
+Matrix multiply(const MatrixView& a, const MatrixView& b);        ///< A B
+Matrix multiply_tn(const MatrixView& a, const MatrixView& b);     ///< Aᵀ B
+Matrix multiply_nt(const MatrixView& a, const MatrixView& b);     ///< A Bᵀ
+/// c := α·op(A)·op(B) + β·c with op the transpose where the flag says so.
+void multiply_into(MatrixSpan c, double alpha, const MatrixView& a, bool transpose_a, const MatrixView& b, bool transpose_b, double beta);
+/// AᵀA, both triangles.
+Matrix gram(const MatrixView& a);
+/// Copies the lower triangle onto the upper one, in place.
+void mirror_lower(MatrixSpan a);
+
+}  // namespace gyromode::lapack

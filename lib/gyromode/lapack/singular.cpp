@@ -1,0 +1,40 @@
+#include "gyromode/lapack/singular.h"
+
+#include "gyromode/lapack/status.h"
+
+#include <lapacke.h>
+
+#include <algorithm>
+
+namespace gyromode::lapack {
+
+SingularValues singular_value_decomposition(Matrix a) {
+  const Index m = a.rows();
+  const Index n = a.cols();
+  const Index r = std::min(m, n);
+  SingularValues s{Vector(r), Matrix(m, r), Matrix(n, r)};
+  if (r == 0) return s;
+  const Index limit = largest_order(5, 64, 0);
+  Matrix vt(r, n);
+  const int info = LAPACKE_dgesdd(LAPACK_COL_MAJOR, 'S', dimension(m, "dgesdd", limit), dimension(n, "dgesdd", limit), a.data(),
+                                  dimension(m, "dgesdd"), s.values.data(), s.u.data(), dimension(m, "dgesdd"), vt.data(), dimension(r, "dgesdd"));
+  require_success(info, "dgesdd", "the bidiagonal iteration did not converge");
+  s.v = vt.transpose();
+  return s;
+}
+
+SingularValues bidiagonal_svd(Vector diagonal, Vector superdiagonal) {
+  const Index n = diagonal.size();
+  SingularValues s{std::move(diagonal), Matrix(n, n), Matrix(n, n)};
+  if (n == 0) return s;
+  const int order = dimension(n, "dbdsdc", largest_order(3, 4, 0));
+  if (superdiagonal.size() == 0) superdiagonal = Vector::Zero(1);
+  Matrix vt(n, n);
+  const int info = LAPACKE_dbdsdc(LAPACK_COL_MAJOR, 'U', 'I', order, s.values.data(), superdiagonal.data(), s.u.data(), order, vt.data(), order,
+                                  nullptr, nullptr);
+  require_success(info, "dbdsdc", "a singular value did not converge");
+  s.v = vt.transpose();
+  return s;
+}
+
+}  // namespace gyromode::lapack

@@ -1,0 +1,39 @@
+#include "gyromode/lapack/symmetric.h"
+
+#include "gyromode/lapack/status.h"
+
+#include <lapacke.h>
+
+namespace gyromode::lapack {
+
+SymmetricEigen symmetric_eigen(Matrix a) {
+  const Index n = a.rows();
+  SymmetricEigen e{Vector(n), std::move(a)};
+  if (n == 0) return e;
+  const int order = dimension(n, "dsyevd", largest_order(2, 6, 1));
+  const int info = LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', order, e.vectors.data(), order, e.values.data());
+  require_success(info, "dsyevd", "an eigenvalue of a sub-block did not converge");
+  return e;
+}
+
+Vector symmetric_eigenvalues(Matrix a) {
+  const Index n = a.rows();
+  Vector values(n);
+  if (n == 0) return values;
+  const int order = dimension(n, "dsyevd");
+  const int info = LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'N', 'L', order, a.data(), order, values.data());
+  require_success(info, "dsyevd", "off-diagonal elements did not converge to zero");
+  return values;
+}
+
+SymmetricEigen symmetric_definite_eigen(Matrix a, Matrix b) {
+  const Index n = a.rows();
+  SymmetricEigen e{Vector(n), std::move(a)};
+  if (n == 0) return e;
+  const int order = dimension(n, "dsygvd", largest_order(2, 6, 1));
+  const int info = LAPACKE_dsygvd(LAPACK_COL_MAJOR, 1, 'V', 'L', order, e.vectors.data(), order, b.data(), order, e.values.data());
+  require_success(info, "dsygvd", info > order ? "the right-hand matrix is not positive definite" : "an eigenvalue did not converge");
+  return e;
+}
+
+}  // namespace gyromode::lapack

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+namespace gyromode::lapack {
+
+/// A = V diag(values) Vᵀ, values ascending, V orthogonal (n × n).
+struct SymmetricEigen {
+  Vector values;
+  Matrix vectors;
+};
+
+/// All eigenvalues and vectors of a symmetric matrix (n × n, lower triangle read) by divide and conquer (dsyevd).
+SymmetricEigen symmetric_eigen(Matrix a);
+
+/// All eigenvalues only, ascending.
+Vector symmetric_eigenvalues(Matrix a);
+
+/// A V = B V diag(values), VᵀBV = 1, B positive definite (dsygvd). Throws Failure where B is not.
+SymmetricEigen symmetric_definite_eigen(Matrix a, Matrix b);
+
+}  // namespace gyromode::lapack

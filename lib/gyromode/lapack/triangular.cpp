@@ -1,0 +1,67 @@
+#include "gyromode/lapack/triangular.h"
+
+#include "gyromode/lapack/status.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+
+#include <Eigen/QR>
+
+namespace gyromode::lapack {
+
+namespace {
+
+void triangular_solve(CBLAS_SIDE side, CBLAS_TRANSPOSE transpose, const MatrixView& l, MatrixSpan b) {
+  if (b.size() == 0) return;
+  cblas_dtrsm(CblasColMajor, side, CblasLower, transpose, CblasNonUnit, dimension(b.rows(), "dtrsm"), dimension(b.cols(), "dtrsm"), 1, l.data(),
+              dimension(l.outerStride(), "dtrsm"), b.data(), dimension(b.outerStride(), "dtrsm"));
+}
+
+void triangular_multiply(CBLAS_SIDE side, CBLAS_TRANSPOSE transpose, const MatrixView& l, MatrixSpan b) {
+  if (b.size() == 0) return;
+  cblas_dtrmm(CblasColMajor, side, CblasLower, transpose, CblasNonUnit, dimension(b.rows(), "dtrmm"), dimension(b.cols(), "dtrmm"), 1, l.data(),
+              dimension(l.outerStride(), "dtrmm"), b.data(), dimension(b.outerStride(), "dtrmm"));
+}
+
+}  // namespace
+
+std::optional<Index> cholesky(MatrixSpan a) {
+  const Index n = a.rows();
+  if (n == 0) return std::nullopt;
+  const int info = LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'L', dimension(n, "dpotrf"), a.data(), dimension(a.outerStride(), "dpotrf"));
+  if (info > 0) return info - 1;
+  require_success(info, "dpotrf", "");
+  for (Index j = 1; j < n; ++j) a.col(j).head(j).setZero();
+  return std::nullopt;
+}
+
+double reciprocal_condition(const MatrixView& l, double norm) {
+  if (l.rows() == 0) return 1;
+  double rcond = 0;
+  const int info =
+      LAPACKE_dpocon(LAPACK_COL_MAJOR, 'L', dimension(l.rows(), "dpocon"), l.data(), dimension(l.outerStride(), "dpocon"), norm, &rcond);
+  require_success(info, "dpocon", "the condition could not be estimated");
+  return rcond;
+}
+
+void solve_lower(const MatrixView& l, MatrixSpan b) { triangular_solve(CblasLeft, CblasNoTrans, l, b); }
+void solve_lower_transposed(const MatrixView& l, MatrixSpan b) { triangular_solve(CblasLeft, CblasTrans, l, b); }
+void solve_lower_transposed_right(const MatrixView& l, MatrixSpan b) { triangular_solve(CblasRight, CblasTrans, l, b); }
+void multiply_lower_transposed(const MatrixView& l, MatrixSpan b) { triangular_multiply(CblasLeft, CblasTrans, l, b); }
+void multiply_lower_right(const MatrixView& l, MatrixSpan b) { triangular_multiply(CblasRight, CblasNoTrans, l, b); }
+
+Matrix congruence(const MatrixView& l, Matrix a) {
+  solve_lower(l, a);
+  solve_lower_transposed_right(l, a);
+  return 0.5 * (a + a.transpose().eval());
+}
+
+Matrix orthogonal_completion(const MatrixView& a) {
+  const Index n = a.rows();
+  Matrix q = Matrix::Identity(n, n);
+  if (a.cols() == 0 || n == 0) return q;
+  Eigen::HouseholderQR<Matrix> qr(a);
+  return qr.householderQ() * q;
+}
+
+}  // namespace gyromode::lapack

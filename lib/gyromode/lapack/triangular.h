@@ -1,0 +1,32 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+#include <optional>
+
+namespace gyromode::lapack {
+
+/// Cholesky factorisation A = L Lᵀ of a symmetric matrix (n × n, lower triangle read); A is overwritten by L, zeros above.
+/// Returns nothing where A is positive definite, else the position of the first pivot that is not positive (dpotrf).
+std::optional<Index> cholesky(MatrixSpan a);
+
+/// Reciprocal condition number (1-norm) of A = L Lᵀ whose 1-norm is `norm` (dpocon).
+double reciprocal_condition(const MatrixView& l, double norm);
+
+/// b := L⁻¹ b and b := L⁻ᵀ b, L lower triangular n × n, b n × m (dtrsm).
+void solve_lower(const MatrixView& l, MatrixSpan b);
+void solve_lower_transposed(const MatrixView& l, MatrixSpan b);
+/// b := b L⁻ᵀ, b m × n.
+void solve_lower_transposed_right(const MatrixView& l, MatrixSpan b);
+/// b := Lᵀ b.
+void multiply_lower_transposed(const MatrixView& l, MatrixSpan b);
+/// b := b L.
+void multiply_lower_right(const MatrixView& l, MatrixSpan b);
+
+/// L⁻¹ A L⁻ᵀ for symmetric A (n × n), made symmetric to the last bit.
+Matrix congruence(const MatrixView& l, Matrix a);
+
+/// An orthogonal n × n matrix whose first columns span the columns of `a` (n × r, r ≤ n, full rank; Householder QR).
+Matrix orthogonal_completion(const MatrixView& a);
+
+}  // namespace gyromode::lapack

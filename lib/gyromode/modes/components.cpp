@@ -1,0 +1,104 @@
+#include "gyromode/modes/components.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gyromode {
+
+namespace {
+
+template <class AnySystem>
+SolvedSystem solved(const AnySystem& given, const StructureOptions& options, dense::Method method) {
+  const AnySystem system = without_ignored_couplings(given, options);
+  SolvedSystem s;
+  s.structure = analyse(given, options);
+  s.size = given.size();
+  for (const Component& component : s.structure.components) {
+    dense::Spectrum spectrum = dense::solve(system, component, method);
+    Impedance impedance(system, spectrum);
+    Assessment assessment = assess(impedance, spectrum);
+    Verdict verdict = judge(impedance, spectrum, assessment);
+    s.components.push_back({std::move(spectrum), std::move(impedance), std::move(assessment), std::move(verdict)});
+  }
+  return s;
+}
+
+}  // namespace
+
+SolvedSystem solve_components(const System& system, const StructureOptions& structure, dense::Method method) {
+  return solved(system, structure, method);
+}
+
+SolvedSystem solve_components(const FirstOrderSystem& system, const StructureOptions& structure, dense::Method method) {
+  SolvedSystem s = solved(system, structure, method);
+  s.first_order = true;
+  return s;
+}
+
+Stability SolvedSystem::stability() const {
+  Stability worst = Stability::stable;
+  for (const SolvedComponent& c : components) worst = std::max(worst, c.verdict.stability);
+  return worst;
+}
+
+IndexBalance SolvedSystem::index_balance() const {
+  IndexBalance sum;
+  for (const SolvedComponent& c : components) sum += c.verdict.balance;
+  return sum;
+}
+
+Stiffness SolvedSystem::stiffness() const {
+  Stiffness k;
+  for (const SolvedComponent& c : components) {
+    k.negative += c.spectrum.stiffness_negative;
+    k.zero += c.spectrum.stiffness_zero;
+  }
+  k.sign = k.negative > 0 ? Sign::indefinite : k.zero > 0 ? Sign::semidefinite : Sign::positive;
+  return k;
+}
+
+std::string SolvedSystem::path() const {
+  // Components of one path are named together: "… (3 components of up to 4 coordinates)".
+  std::vector<std::string> order;
+  std::vector<std::pair<Index, Index>> tally;  // how many, the largest
+  for (const SolvedComponent& c : components) {
+    const auto at = std::find(order.begin(), order.end(), c.spectrum.path);
+    const std::size_t k = static_cast<std::size_t>(at - order.begin());
+    if (at == order.end()) {
+      order.push_back(c.spectrum.path);
+      tally.emplace_back(0, 0);
+    }
+    ++tally[k].first;
+    tally[k].second = std::max(tally[k].second, c.spectrum.size());
+  }
+  if (components.size() == 1) return order.front();
+  std::string line;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const auto [count, largest] = tally[k];
+    line += fmt::format("{}{} ({} component{} of {}{} coordinate{})", k == 0 ? "" : "; ", order[k], count, count == 1 ? "" : "s",
+                        count == 1 ? "" : "up to ", largest, largest == 1 ? "" : "s");
+  }
+  return line;
+}
+
+Inertia SolvedSystem::negative_at(double omega) const {
+  Inertia sum;
+  for (const SolvedComponent& c : components) {
+    const Inertia part = c.impedance.negative_at(omega);
+    sum.negative += part.negative;
+    sum.positive += part.positive;
+    sum.margin = std::min(sum.margin, part.doubtful() ? 0 : part.margin);
+  }
+  return sum;
+}
+
+Index SolvedSystem::negative_at_zero() const {
+  Index sum = 0;
+  for (const SolvedComponent& c : components) {
+    sum += first_order ? c.spectrum.omega.size() : c.spectrum.impedance_negative;
+  }
+  return sum;
+}
+
+}  // namespace gyromode

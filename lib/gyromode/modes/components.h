@@ -1,0 +1,40 @@
+#pragma once
+
+#include "gyromode/certificate/verdict.h"
+#include "gyromode/dense/solve.h"
+#include "gyromode/modes/result.h"
+
+#include <vector>
+
+namespace gyromode {
+
+/// One component solved and judged.
+struct SolvedComponent {
+  dense::Spectrum spectrum;
+  Impedance impedance;
+  Assessment assessment;
+  Verdict verdict;
+};
+
+/// A system solved component by component, before a window is cut out of it.
+struct SolvedSystem {
+  Structure structure;
+  Index size = 0;
+  bool first_order = false;
+  std::vector<SolvedComponent> components;
+
+  Stability stability() const;
+  IndexBalance index_balance() const;
+  Stiffness stiffness() const;
+  std::string path() const;
+
+  /// n₋(H(ω)) of the whole, ω > 0; doubtful where that of a component is.
+  Inertia negative_at(double omega) const;
+  /// n₋(H(0⁺)) (theory (T10)).
+  Index negative_at_zero() const;
+};
+
+SolvedSystem solve_components(const System& system, const StructureOptions& structure, dense::Method method);
+SolvedSystem solve_components(const FirstOrderSystem& system, const StructureOptions& structure, dense::Method method);
+
+}  // namespace gyromode

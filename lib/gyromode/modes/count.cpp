@@ -1,0 +1,58 @@
+#include "gyromode/modes/count.h"
+
+#include "gyromode/modes/components.h"
+#include "gyromode/modes/coverage.h"
+
+#include <limits>
+
+namespace gyromode {
+
+namespace {
+
+CountResult counted(const SolvedSystem& s, const Window& requested) {
+  const Frequencies f(s);
+  const Window window = cleared(requested, f);
+  const Coverage c = coverage(s, f, requested, window);
+  CountResult r;
+  r.window = window;
+  r.requested = requested;
+  const Inertia low = window.a == 0 ? Inertia{s.negative_at_zero(), 0, 1} : s.negative_at(window.a);
+  const Index top = s.first_order ? 0 : s.size;
+  const Inertia high = window.open() ? Inertia{top, s.size - top, 1} : s.negative_at(window.b);
+  r.negative = {low.negative, high.negative};
+  r.signed_count = (s.first_order ? -1 : 1) * (high.negative - low.negative);
+  for (const auto& e : f.entries) {
+    if (e.position < 0 && window.contains(0)) ++r.zero;
+  }
+  if (low.doubtful() || high.doubtful()) {
+    r.status = CountStatus::doubtful;
+  } else if (!c.counted) {
+    r.status = CountStatus::signed_only;
+  } else {
+    r.count = c.counted;
+    r.status = c.status == CoverageStatus::complete ? CountStatus::exact : CountStatus::doubtful;
+  }
+  return r;
+}
+
+}  // namespace
+
+std::string_view word(CountStatus status) {
+  switch (status) {
+    case CountStatus::exact: return "exact";
+    case CountStatus::signed_only: return "signed_only";
+    default: return "doubtful";
+  }
+}
+
+CountResult count_modes(const System& system, const Window& window, const StructureOptions& options) {
+  require_window(window);
+  return counted(solve_components(system, options, dense::Method::automatic), window);
+}
+
+CountResult count_modes(const FirstOrderSystem& system, const Window& window, const StructureOptions& options) {
+  require_window(window);
+  return counted(solve_components(system, options, dense::Method::automatic), window);
+}
+
+}  // namespace gyromode

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "gyromode/modes/result.h"
+
+#include <array>
+
+namespace gyromode {
+
+enum class CountStatus { exact, signed_only, doubtful };
+std::string_view word(CountStatus status);
+
+/// How many modes a window holds, by factorisations at its ends (theory (T9), (T10)).
+struct CountResult {
+  Window window;                    ///< what was used: an endpoint on a mode is moved outward
+  Window requested;
+  std::optional<Index> count;       ///< modes in [a, b), zero modes included where a = 0; nothing where only the signed count is known
+  Index signed_count = 0;           ///< modes of positive minus modes of negative energy
+  Index zero = 0;                   ///< zero modes in the window
+  std::array<Index, 2> negative{};  ///< n₋(H(a)), n₋(H(b)); H(0⁺) where a = 0
+  CountStatus status = CountStatus::doubtful;
+};
+
+/// K ≥ 0: `exact` from two factorisations alone. K indefinite: the system is solved for its negative-energy modes, and the count is exact where the index
+/// balance closes.
+CountResult count_modes(const System& system, const Window& window, const StructureOptions& options = {});
+CountResult count_modes(const FirstOrderSystem& system, const Window& window, const StructureOptions& options = {});
+
+}  // namespace gyromode

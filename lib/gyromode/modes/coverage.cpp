@@ -1,0 +1,151 @@
+#include "gyromode/modes/coverage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gyromode {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The error bound of a root, and not less than what rounding of ω itself and a backward error of n ε leave open.
+double open_error(const SolvedComponent& c, Index i) {
+  const double eta = 4 * static_cast<double>(c.spectrum.size()) * std::numeric_limits<double>::epsilon();
+  const double omega = c.spectrum.omega(i);
+  const double error = std::max(c.assessment.error_bound(i), eta * c.assessment.sensitivity(i));
+  return std::isfinite(error) ? std::max(error, 4 * std::numeric_limits<double>::epsilon() * omega) : 1e-6 * omega;
+}
+
+struct Cut {
+  double omega = 0;
+  Index expected = 0;  // n₋(H) there
+  double width = 0;    // of the gap around it, relative
+  bool between_signs = false;
+};
+
+// Gaps of the window in which no root can be, with what n₋(H) must be there.
+std::vector<Cut> possible_cuts(const Frequencies& f, const Window& w, Index negative_below) {
+  std::vector<Cut> cuts;
+  Index expected = negative_below;
+  for (std::size_t i = 0; i + 1 < f.entries.size(); ++i) {
+    const auto& e = f.entries[i];
+    const auto& next = f.entries[i + 1];
+    if (e.position >= 0) expected += e.energy_sign;
+    if (e.omega < w.a || next.omega >= w.b || next.position < 0) continue;
+    const double from = e.omega + 4 * e.error;
+    const double to = next.omega - 4 * next.error;
+    if (!(to > from)) continue;
+    cuts.push_back({0.5 * (from + to), expected, (to - from) / next.omega, e.position >= 0 && e.energy_sign != next.energy_sign});
+  }
+  return cuts;
+}
+
+// All boundaries between signs, narrowest first as the riskiest, and a few of the widest gaps; bounded, as each costs a factorisation.
+std::vector<Cut> chosen_cuts(std::vector<Cut> cuts) {
+  constexpr std::size_t most_boundaries = 64;
+  constexpr std::size_t most_gaps = 2;
+  std::vector<Cut> boundaries;
+  std::vector<Cut> gaps;
+  for (const Cut& c : cuts) (c.between_signs ? boundaries : gaps).push_back(c);
+  std::sort(boundaries.begin(), boundaries.end(), [](const Cut& a, const Cut& b) { return a.width < b.width; });
+  std::sort(gaps.begin(), gaps.end(), [](const Cut& a, const Cut& b) { return a.width > b.width; });
+  boundaries.resize(std::min(boundaries.size(), most_boundaries));
+  gaps.resize(std::min(gaps.size(), most_gaps));
+  boundaries.insert(boundaries.end(), gaps.begin(), gaps.end());
+  return boundaries;
+}
+
+struct Endpoint {
+  Index negative = 0;
+  bool doubtful = false;
+};
+
+Endpoint lower_end(const SolvedSystem& s, double a) {
+  if (a == 0) return {s.negative_at_zero(), false};
+  const Inertia i = s.negative_at(a);
+  return {i.negative, i.doubtful()};
+}
+
+// At an open end H(ω) is −ω²M, negative definite (ωI, positive definite, in first order); a factorisation just above the last mode shows that no mode is above it.
+Endpoint upper_end(const SolvedSystem& s, const Frequencies& f, double b) {
+  const double last = f.entries.empty() ? 0 : f.entries.back().omega;
+  const double above = last > 0 ? 1.125 * last : 1;
+  const Inertia i = s.negative_at(b == infinity ? above : b);
+  return {i.negative, i.doubtful()};
+}
+
+}  // namespace
+
+Frequencies::Frequencies(const SolvedSystem& s) {
+  for (std::size_t c = 0; c < s.components.size(); ++c) {
+    const SolvedComponent& part = s.components[c];
+    const Index component = static_cast<Index>(c);
+    for (Index k = 0; k < part.spectrum.zero_pairs(); ++k) entries.push_back({0, 0, 0, component, -1 - k});
+    for (Index k = 0; k < part.spectrum.omega.size(); ++k) {
+      entries.push_back({part.spectrum.omega(k), open_error(part, k), part.verdict.energy_sign[static_cast<std::size_t>(k)], component, k});
+    }
+  }
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.omega < b.omega; });
+}
+
+Window cleared(const Window& requested, const Frequencies& f) {
+  Window w = requested;
+  for (auto e = f.entries.rbegin(); e != f.entries.rend() && w.a > 0; ++e) {  // downward
+    if (e->position >= 0 && std::abs(e->omega - w.a) <= 4 * e->error) w.a = std::max(0.0, e->omega - 8 * e->error);
+  }
+  for (const auto& e : f.entries) {  // upward
+    if (e.position >= 0 && w.b < infinity && std::abs(e.omega - w.b) <= 4 * e.error) w.b = e.omega + 8 * e.error;
+  }
+  return w;
+}
+
+Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& requested, const Window& window) {
+  Coverage c{CoverageStatus::not_counted, window, requested, 0, std::nullopt, ""};
+  Index zero = 0;
+  Index negative_energy = 0;
+  Index undecided = 0;
+  for (const auto& e : f.entries) {
+    if (!window.contains(e.omega)) continue;
+    ++c.found;
+    if (e.position < 0) ++zero;
+    else if (e.energy_sign < 0) ++negative_energy;
+    else if (e.energy_sign == 0) ++undecided;
+  }
+  if (!s.index_balance().closed) {
+    c.reason = "the index balance does not close: negative-energy modes cannot all be accounted for";
+    return c;
+  }
+  const Endpoint low = lower_end(s, window.a);
+  const Endpoint high = upper_end(s, f, window.b);
+  if (low.doubtful || high.doubtful) {
+    c.reason = "an endpoint of the window is on a root to rounding: move it";
+    return c;
+  }
+  // In first order n₋(ωI − jG) falls from mode to mode; in second order it follows the energy signs.
+  const Index direction = s.first_order ? -1 : 1;
+  const Index signed_count = direction * (high.negative - low.negative);
+  c.counted = signed_count + zero + 2 * negative_energy + undecided;  // an undecided pair is one + and one −
+  if (*c.counted != c.found) {
+    c.status = CoverageStatus::incomplete;
+    c.reason = fmt::format("{} modes were found, the factorisations count {}", c.found, *c.counted);
+    return c;
+  }
+  Index below = s.negative_at_zero();
+  std::vector<Cut> cuts = possible_cuts(f, window, 0);
+  for (const Cut& cut : chosen_cuts(std::move(cuts))) {
+    const Inertia i = s.negative_at(cut.omega);
+    if (i.doubtful() || i.negative == below + direction * cut.expected) continue;
+    c.status = CoverageStatus::incomplete;
+    c.reason = fmt::format("below ω = {:.6g} the factorisations count {} fewer modes of positive than of negative energy than were found", cut.omega,
+                           below + direction * cut.expected - i.negative);
+    return c;
+  }
+  c.status = CoverageStatus::complete;
+  return c;
+}
+
+}  // namespace gyromode

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "gyromode/certificate/verdict.h"
+#include "gyromode/modes/window.h"
+#include "gyromode/structure/structure.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gyromode {
+
+/// `rigid_body`: a zero mode of K ≥ 0 (a constant solution, in first order). `local`: the kept coordinates of a condensed model take no part.
+enum class ModeKind { vibration, rigid_body, local };
+std::string_view word(ModeKind kind);
+
+/// One motion Re(X e^{jωt}).
+struct Mode {
+  double omega = 0;              ///< rad per unit of time, ≥ 0; a zero mode is one pair of zero roots (one root, in first order)
+  int energy_sign = 1;           ///< κ: 1, −1, or 0 where it cannot be told (zero modes, coinciding roots of opposite sign)
+  ModeKind kind = ModeKind::vibration;
+  Index multiplicity = 1;
+  double residual = 0;           ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂)
+  double error_bound = 0;        ///< on |δω|, to first order
+  ComplexVector shape;           ///< empty unless asked for; largest entry 1 (the first of ties), n entries in the order of the labels
+};
+
+/// A growing motion: e^{σt}, with ω = 0 for divergence, ω > 0 for flutter. It stands for the pair ±σ or the quadruple ±σ ± jω.
+struct UnstableMode {
+  double growth_rate = 0;
+  double omega = 0;
+
+  bool flutter() const { return omega > 0; }
+};
+
+enum class CoverageStatus { complete, incomplete, not_counted };
+std::string_view word(CoverageStatus status);
+
+/// Is every mode of the window there? `complete` only where an independent count by factorisations agrees with what was found.
+struct Coverage {
+  CoverageStatus status = CoverageStatus::not_counted;
+  Window window;               ///< what was used: an endpoint on a mode is moved outward
+  Window requested;
+  Index found = 0;             ///< with multiplicity
+  std::optional<Index> counted;
+  std::string reason;          ///< why not complete, for people; empty where complete
+};
+
+/// What is known of K.
+struct Stiffness {
+  Sign sign = Sign::positive;
+  Index negative = 0;
+  Index zero = 0;
+};
+
+/// Everything `gyromode modes` reports, free of any output format.
+struct ModesResult {
+  Structure structure;
+  Stiffness stiffness;
+  std::string path;                    ///< one line: which solver served each component, and why
+  bool first_order = false;
+  Stability stability = Stability::unknown;
+  IndexBalance index_balance;
+  double opposite_gap = 0;             ///< smallest relative distance of roots of opposite energy sign; infinite where there is none
+  Coverage coverage;
+  std::vector<Mode> modes;             ///< in the window, ascending in ω
+  std::vector<Mode> negative_modes;    ///< every mode of negative or undecided energy, whatever the window
+  std::vector<UnstableMode> unstable;  ///< all, whatever the window
+};
+
+}  // namespace gyromode

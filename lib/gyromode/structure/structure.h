@@ -1,0 +1,41 @@
+#pragma once
+
+#include "gyromode/structure/definiteness.h"
+#include "gyromode/structure/quadrature.h"
+#include "gyromode/system/first_order_system.h"
+#include "gyromode/system/system.h"
+
+#include <optional>
+#include <vector>
+
+namespace gyromode {
+
+/// The class that decides which solver serves a system (theory §1–3).
+enum class SystemClass { quadrature, general };
+
+struct StructureOptions {
+  /// Couplings up to this fraction of the largest entry of their matrix count as none. Above 0 they are dropped from the system that
+  /// is solved, and every output says so.
+  double coupling_tolerance = 0;
+};
+
+/// What is known of a system before it is solved.
+struct Structure {
+  std::vector<Component> components;
+  double largest_ignored_coupling = 0;   ///< relative; above 0 only where a tolerance was asked for
+
+  SystemClass system_class() const;                  ///< quadrature where every component has a partition
+  std::vector<Index> in_phase() const;               ///< coordinates, ascending, over all components
+  std::vector<Index> in_quadrature() const;
+  std::optional<OddCycle> witness() const;           ///< the first component's odd cycle where there is no partition
+};
+
+Structure analyse(const System& system, const StructureOptions& options = {});
+Structure analyse(const FirstOrderSystem& system, const StructureOptions& options = {});
+
+/// The system without the couplings between components and the parts of G, M, K that the partition ignores: what a coupling tolerance
+/// above 0 means. Equal to the argument where the tolerance is 0.
+System without_ignored_couplings(const System& system, const StructureOptions& options);
+FirstOrderSystem without_ignored_couplings(const FirstOrderSystem& system, const StructureOptions& options);
+
+}  // namespace gyromode

@@ -1,0 +1,33 @@
+#include "gyromode/system/first_order_system.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace gyromode {
+
+FirstOrderSystem::FirstOrderSystem(Matrix inertia, Matrix gyroscopic, Labels labels)
+    : inertia_(std::move(inertia)), gyroscopic_(std::move(gyroscopic)), labels_(std::move(labels)) {
+  require_square("I", inertia_);
+  require_square("G", gyroscopic_);
+  if (gyroscopic_.rows() != size()) {
+    throw BrokenPromise(fmt::format("G must have the order of I: it is {0} × {0}, I is {1} × {1}", gyroscopic_.rows(), size()));
+  }
+  require_finite("I", inertia_);
+  require_finite("G", gyroscopic_);
+  if (labels_.empty()) labels_ = default_labels(size());
+  require_labels(labels_, size());
+  symmetry_errors_ = {require_symmetric("I", inertia_), require_skew("G", gyroscopic_)};
+  inertia_ = symmetric_part(inertia_);
+  gyroscopic_ = skew_part(gyroscopic_);
+  require_positive_definite("I", inertia_, labels_);
+}
+
+ComplexMatrix FirstOrderSystem::impedance(double omega) const {
+  ComplexMatrix h(size(), size());
+  h.real() = omega * inertia_;
+  h.imag() = -gyroscopic_;
+  return h;
+}
+
+}  // namespace gyromode

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+#include "gyromode/system/promise.h"
+
+namespace gyromode {
+
+/// A conservative system written in first order,
+///     I q̇ + G q = 0,   I = Iᵀ > 0,   G = −Gᵀ,   real n × n
+/// (Boland & Janssens 1979, third example, after Meirovitch 1974). With q = X e^{jωt}: H₁(ω) X = (ωI − jG) X = 0, Hermitian.
+class FirstOrderSystem {
+ public:
+  struct SymmetryErrors {
+    double inertia = 0, gyroscopic = 0;
+  };
+
+  /// Throws BrokenPromise where a promise does not hold. Labels default to q1 … qn.
+  FirstOrderSystem(Matrix inertia, Matrix gyroscopic, Labels labels = {});
+
+  Index size() const { return inertia_.rows(); }
+  const Matrix& inertia() const { return inertia_; }
+  const Matrix& gyroscopic() const { return gyroscopic_; }
+  const Labels& labels() const { return labels_; }
+  const SymmetryErrors& symmetry_errors() const { return symmetry_errors_; }
+
+  /// H₁(ω) = ωI − jG, Hermitian.
+  ComplexMatrix impedance(double omega) const;
+
+ private:
+  Matrix inertia_;
+  Matrix gyroscopic_;
+  Labels labels_;
+  SymmetryErrors symmetry_errors_;
+};
+
+}  // namespace gyromode

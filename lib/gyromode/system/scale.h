@@ -1,0 +1,29 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+namespace gyromode {
+
+/// Diagonal scalings d, all powers of two so that they add no rounding. D A D keeps inertia, definiteness and the roots of a system
+/// scaled throughout; it takes the units of the coordinates (metres beside radians) out of every threshold.
+
+/// d_i² ≈ 1/|a_ii|, and 1 where a_ii = 0. For positive definite A the diagonal of D A D lies in [½, 2].
+Vector unit_diagonal_scale(const Matrix& a);
+
+/// Brings the largest entry of every row of the Hermitian matrix D A D near 1 by a few sweeps of d_i /= √max_j |a_ij| (Ruiz 2001); rows of
+/// zeros keep d_i = 1. For indefinite matrices, whose diagonal says little.
+Vector equilibrating_scale(const Matrix& a);
+Vector equilibrating_scale(const ComplexMatrix& a);
+
+/// D A D.
+Matrix scaled(const Matrix& a, const Vector& d);
+ComplexMatrix scaled(const ComplexMatrix& a, const Vector& d);
+
+/// The power of two nearest to x > 0; 1 for x = 0.
+double power_of_two_near(double x);
+
+/// Largest column sum of absolute values.
+double norm1(const Matrix& a);
+double norm1(const ComplexMatrix& a);
+
+}  // namespace gyromode
