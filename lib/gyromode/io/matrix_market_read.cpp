@@ -1,21 +1,20 @@
 // Format: R. F. Boisvert, R. Pozo, K. A. Remington, The Matrix Market Exchange Formats: Initial Design, NISTIR 5935, 1996.
 #include "gyromode/io/matrix_market.h"
 
+#include "gyromode/io/number.h"
+#include "gyromode/io/text_file.h"
+#include "gyromode/io/text_lines.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <initializer_list>
 #include <limits>
 #include <new>
 #include <optional>
 #include <span>
-#include <system_error>
 #include <tuple>
 #include <vector>
 
@@ -46,128 +45,13 @@ struct Entry {
   std::size_t line = 0;
 };
 
-// A piece of the file as messages show it: 40 characters at most, and nothing that a terminal would obey.
-std::string shown(std::string_view piece) {
-  constexpr std::size_t most = 40;
-  std::string out;
-  for (const char c : piece.substr(0, most)) {
-    if (c >= ' ' && c <= '~') {
-      out += c;
-    } else {
-      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-    }
-  }
-  return piece.size() > most ? out + "..." : out;
-}
-
-// The text line by line, each split into words. Lines end with LF; the CR of CRLF is a blank.
-class Lines {
- public:
-  Lines(std::string_view text, const std::filesystem::path& file) : rest_(text), file_(file) {}
-
-  bool next() {
-    if (rest_.empty()) return false;
-    const std::size_t end = rest_.find('\n');
-    line_ = trimmed(rest_.substr(0, end));
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    ++number_;
-    return true;
-  }
-
-  // The next line that is neither blank nor a comment.
-  bool next_data() {
-    while (next()) {
-      if (line_.empty() || line_.front() == '%') continue;
-      split();
-      return true;
-    }
-    return false;
-  }
-
-  void split() {
-    count_ = 0;
-    for (std::string_view left = line_; !left.empty() && count_ < words_.size(); ++count_) {
-      const std::size_t end = std::min(left.find_first_of(blanks), left.size());
-      words_[count_] = left.substr(0, end);
-      left = trimmed(left.substr(end));
-    }
-  }
-
-  std::string_view line() const { return line_; }
-  std::size_t number() const { return number_; }
-  std::span<const std::string_view> words() const { return {words_.data(), count_}; }
-
-  // The words of a line that must have `count` of them.
-  std::span<const std::string_view> words(std::size_t count, std::string_view form) const {
-    if (count_ < count) fail(fmt::format("line '{}' is too short: {} was expected", shown(line_), form));
-    if (count_ > count) fail(fmt::format("'{}' is one too many on its line: {} was expected", shown(words_[count]), form));
-    return words();
-  }
-
-  [[noreturn]] void fail(const std::string& message) const { throw InputError(file_, number_, 0, message); }
-
- private:
-  static constexpr std::string_view blanks = " \t\r";
-
-  static std::string_view trimmed(std::string_view s) {
-    s.remove_prefix(std::min(s.find_first_not_of(blanks), s.size()));
-    return s.substr(0, s.find_last_not_of(blanks) + 1);
-  }
-
-  std::string_view rest_;
-  std::filesystem::path file_;
-  std::string_view line_;
-  std::size_t number_ = 0;
-  std::array<std::string_view, 6> words_;  // one more than the longest line, the banner, has
-  std::size_t count_ = 0;
-};
-
-// ---- numbers: std::from_chars, which knows no locale and no '+'
-
-std::string_view without_plus(std::string_view word) {
-  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
-}
-
-std::optional<std::int64_t> whole_number(std::string_view word) {
-  word = without_plus(word);
-  std::int64_t value = 0;
-  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || stop != word.data() + word.size()) return std::nullopt;
-  return value;
-}
-
-// Of a decimal number that no double holds: whether it is below 1, so too small rather than too large.
-bool is_below_one(std::string_view number) {
-  const std::size_t e = std::min(number.find_first_of("eE"), number.size());
-  const std::string_view mantissa = number.substr(0, e);
-  const auto point = static_cast<double>(std::min(mantissa.find('.'), e));
-  const auto first = static_cast<double>(std::min(mantissa.find_first_of("123456789"), e));
-  double exponent = 0;
-  for (const char c : number.substr(e)) {
-    if (c >= '0' && c <= '9') exponent = std::min(10 * exponent + (c - '0'), 1e15);
-  }
-  if (number.substr(e).find('-') != std::string_view::npos) exponent = -exponent;
-  return point - first + exponent < 0;
-}
-
 double real_value(const Lines& lines, std::string_view word, std::string_view form) {
-  std::string_view number = without_plus(word);
-  std::string with_e;
-  if (number.find_first_of("dD") != std::string_view::npos) {  // Fortran's 1.0D+03
-    with_e = number;
-    std::replace_if(with_e.begin(), with_e.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
-    number = with_e;
-  }
-  double value = 0;
-  const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-  if (error == std::errc::invalid_argument || stop != number.data() + number.size()) {
-    lines.fail(fmt::format("value '{}' is not a number: {} was expected", shown(word), form));
-  }
-  if (error == std::errc::result_out_of_range && is_below_one(number)) return 0;
-  if (error != std::errc{} || !std::isfinite(value)) {
+  const Parsed number = parse_real(word);
+  if (number.outcome == Parsed::not_a_number) lines.fail(fmt::format("value '{}' is not a number: {} was expected", shown(word), form));
+  if (number.outcome == Parsed::not_finite) {
     lines.fail(fmt::format("value '{}' is not finite as a double: at most 1.8e308 in magnitude was expected", shown(word)));
   }
-  return value;
+  return number.value;
 }
 
 double integer_value(const Lines& lines, std::string_view word) {
@@ -355,24 +239,6 @@ Matrix read_array(Lines& lines, const Banner& banner, const Size& size, const st
   return a;
 }
 
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw InputError(file, "is a directory: a Matrix Market file was expected");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) {
-    const std::string why = std::generic_category().message(errno);
-    throw InputError(file, fmt::format("cannot be opened ({}): a Matrix Market file was expected", why));
-  }
-  std::string text;
-  std::vector<char> chunk(1 << 16);
-  do {
-    in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-    text.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
-  } while (in);
-  if (in.bad()) throw InputError(file, fmt::format("cannot be read beyond byte {}", text.size()));
-  return text;
-}
-
 }  // namespace
 
 bool fits_dense(Index rows, Index cols, Index entries) {
@@ -394,6 +260,6 @@ Matrix parse_matrix_market(std::string_view text, const std::filesystem::path& n
   return banner.coordinate ? read_coordinate(lines, banner, size, name) : read_array(lines, banner, size, name);
 }
 
-Matrix read_matrix_market(const std::filesystem::path& file) { return parse_matrix_market(read_text(file), file); }
+Matrix read_matrix_market(const std::filesystem::path& file) { return parse_matrix_market(read_text(file, "Matrix Market"), file); }
 
 }  // namespace gyromode::io

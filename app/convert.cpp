@@ -1,0 +1,59 @@
+#include "errors.h"
+#include "exit_code.h"
+#include "input.h"
+#include "verbs.h"
+
+#include "gyromode/io/matrix_market.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace gyromode::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  ModelSource source;
+  std::string folder;
+  bool quiet = false;
+};
+
+void write_system(const fs::path& folder, const System& s, const std::string& title) {
+  io::write_matrix_market(folder / "M.mtx", s.mass(), io::Symmetry::symmetric, title + ": mass M");
+  io::write_matrix_market(folder / "G.mtx", s.gyroscopic(), io::Symmetry::skew_symmetric, title + ": gyroscopic G");
+  io::write_matrix_market(folder / "K.mtx", s.stiffness(), io::Symmetry::symmetric, title + ": stiffness K");
+}
+
+void write_system(const fs::path& folder, const FirstOrderSystem& s, const std::string& title) {
+  io::write_matrix_market(folder / "I.mtx", s.inertia(), io::Symmetry::symmetric, title + ": inertia I of I q' + G q = 0");
+  io::write_matrix_market(folder / "G.mtx", s.gyroscopic(), io::Symmetry::skew_symmetric, title + ": gyroscopic G of I q' + G q = 0");
+}
+
+int run(const Options& o) {
+  const io::Model model = o.source.read();
+  std::error_code error;
+  fs::create_directories(o.folder, error);
+  if (!fs::is_directory(o.folder)) throw io::InputError(o.folder, "cannot be made a folder: a place to write matrices was expected");
+  std::visit([&](const auto& system) { write_system(o.folder, system, model.title); }, model.system);
+  if (!o.quiet) fmt::print(stderr, "gyromode: {} written to {}\n", std::holds_alternative<System>(model.system) ? "M.mtx, G.mtx, K.mtx" : "I.mtx, G.mtx", o.folder);
+  return done;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& program, int& code) {
+  CLI::App* verb = program.add_subcommand("convert", "Write the matrices of a model as Matrix Market files");
+  auto o = std::make_shared<Options>();
+  o->source.add_to(*verb);
+  verb->add_option("-o,--output", o->folder, "Folder for M.mtx, G.mtx, K.mtx (I.mtx, G.mtx for first-order models)")->type_name("DIR")->required();
+  verb->add_flag("--quiet", o->quiet, "No remarks on stderr; errors remain");
+  verb->footer("Example:\n  gyromode convert models/three_springs.toml -o matrices");
+  verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
+}
+
+}  // namespace gyromode::app

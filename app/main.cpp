@@ -1,0 +1,36 @@
+#include "exit_code.h"
+#include "verbs.h"
+
+#include "gyromode/version.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+
+int main(int argc, char** argv) {
+  using namespace gyromode::app;
+  CLI::App program{"gyromode: the vibration modes of what spins, M q̈ + G q̇ + K q = 0 with G skew, counted and certified.", "gyromode"};
+  program.set_version_flag("--version", std::string("gyromode ") + GYROMODE_VERSION);
+  program.require_subcommand(1);
+  program.footer(
+      "Examples:\n"
+      "  gyromode modes models/rigid_body.toml\n"
+      "  gyromode modes --mass M.mtx --gyroscopic G.mtx --stiffness K.mtx --below 50Hz -o modes.json\n"
+      "  gyromode structure models/wiresaw.toml\n"
+      "Exit codes: 0 done and certified, 1 usage, 2 unreadable input, 3 input against a law, 4 not certified complete, 70 internal error.");
+  int code = done;
+  add_modes(program, code);
+  add_structure(program, code);
+  add_count(program, code);
+  add_stability(program, code);
+  add_convert(program, code);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(e);
+    std::fprintf(stderr, "gyromode: %s (see gyromode --help)\n", e.what());
+    return wrong_usage;
+  }
+  return code;
+}

@@ -1,0 +1,39 @@
+#include "output.h"
+
+#include "errors.h"
+
+#include "gyromode/io/write_file.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace gyromode::app {
+
+void OutputOption::add_to(CLI::App& verb) {
+  verb.add_option("--format", format, "table, json, csv or markdown (default: by the extension of -o, else table)")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"table", "json", "csv", "markdown"}));
+  verb.add_option("-o,--output", file, "Write the result to FILE (.json, .csv, .md by extension) instead of stdout")->type_name("FILE");
+  verb.add_flag("--quiet", quiet, "No remarks on stderr; errors remain");
+}
+
+io::Format OutputOption::chosen() const {
+  if (!format.empty()) return *io::format_named(format);
+  return file.empty() ? io::Format::table : io::format_for(file);
+}
+
+void OutputOption::write(const std::string& text) const {
+  if (!file.empty()) {
+    io::write_file(file, text);
+    return;
+  }
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (std::fflush(stdout) != 0) throw io::InputError("stdout", "the result could not be written");
+}
+
+void OutputOption::say(const std::string& line) const {
+  if (!quiet) fmt::print(stderr, "gyromode: {}\n", line);
+}
+
+}  // namespace gyromode::app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "gyromode/io/document.h"
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <string>
+
+namespace gyromode::app {
+
+/// Where a result goes and how it looks: [--format F] [-o FILE] [--quiet].
+struct OutputOption {
+  std::string format, file;
+  bool quiet = false;
+
+  void add_to(CLI::App& verb);
+  io::Format chosen() const;
+  /// To stdout, or to the file, which is replaced only by a complete result.
+  void write(const std::string& text) const;
+  /// A line on stderr, unless --quiet.
+  void say(const std::string& line) const;
+};
+
+/// Seconds since it was made or last read.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double s = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return s;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace gyromode::app

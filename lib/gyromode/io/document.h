@@ -1,0 +1,44 @@
+#pragma once
+
+#include "gyromode/io/model.h"
+#include "gyromode/modes/count.h"
+#include "gyromode/modes/result.h"
+#include "gyromode/structure/transformation.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gyromode::io {
+
+/// How a result is written.
+enum class Format { table, json, csv, markdown };
+
+/// By name ("table", "json", "csv", "markdown"), or nothing.
+std::optional<Format> format_named(std::string_view name);
+/// By the extension of a file: .json, .csv, .md; table for the rest.
+Format format_for(const std::filesystem::path& file);
+
+/// Seconds spent.
+struct Timings {
+  double read = 0;
+  double solve = 0;
+};
+
+/// What `structure` reports beyond the facts themselves.
+struct StructureReport {
+  Structure structure;
+  Stiffness stiffness;
+  bool stiffness_applies = true;          ///< false for first-order models
+  std::optional<Transformation> at;
+  double coupling_tolerance = 0;
+};
+
+/// A result as text in the format asked for. JSON follows the public schemas (docs/results.md), 17 significant digits where needed.
+std::string document(const Model& model, const ModesResult& result, const Timings& timings, Format format);
+std::string document(const Model& model, const CountResult& result, const Timings& timings, Format format);
+std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format);
+/// `stability` reports a part of ModesResult.
+std::string stability_document(const Model& model, const ModesResult& result, const Timings& timings, Format format);
+
+}  // namespace gyromode::io

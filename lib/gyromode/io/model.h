@@ -1,0 +1,43 @@
+#pragma once
+
+#include "gyromode/io/input_error.h"
+#include "gyromode/system/first_order_system.h"
+#include "gyromode/system/system.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gyromode::io {
+
+/// What a model file declares to be known of it, for whoever wants to check: never used in a computation.
+struct KnownValues {
+  std::vector<double> frequencies;   ///< rad/s, ascending
+  std::string stability;             ///< a word of the verdict, or empty
+  std::string system_class;          ///< quadrature or general, or empty
+};
+
+/// A model as read: the system, and where it comes from.
+struct Model {
+  std::string title;
+  std::string reference;
+  std::string kind;      ///< "matrices" or "first_order"
+  std::string sha256;    ///< of the model file followed by its matrix files, in the order M, G, K, per-spin ones (I, G)
+  std::variant<System, FirstOrderSystem> system;
+  std::optional<double> spin;  ///< rad/s, where the matrices depend on it
+  KnownValues known;
+
+  Index size() const;
+  const Labels& labels() const;
+};
+
+/// Reads a TOML model of kind "matrices" or "first_order" (docs/model-files.md). Throws InputError (file, line, column, value and what was
+/// expected) for what cannot be read, BrokenPromise for what breaks a law.
+Model read_model(const std::filesystem::path& file);
+
+/// A model from Matrix Market files; without a gyroscopic one G = 0.
+Model read_matrices(const std::filesystem::path& mass, const std::optional<std::filesystem::path>& gyroscopic, const std::filesystem::path& stiffness);
+
+}  // namespace gyromode::io

@@ -1,0 +1,127 @@
+#include "gyromode/io/digest.h"
+#include "gyromode/io/matrix_market.h"
+#include "gyromode/io/model.h"
+#include "gyromode/io/text_file.h"
+#include "gyromode/io/toml_table.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace gyromode::io {
+
+namespace {
+
+using Keys = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 11> matrices_keys{"kind", "title", "reference", "known", "labels", "mass", "gyroscopic", "stiffness", "spin",
+                                                         "gyroscopic_per_spin", "stiffness_per_spin2"};
+constexpr std::array<std::string_view, 7> first_order_keys{"kind", "title", "reference", "known", "labels", "inertia", "gyroscopic"};
+constexpr std::array<std::string_view, 3> known_keys{"frequencies", "stability", "class"};
+constexpr std::array<std::string_view, 2> kinds{"matrices", "first_order"};
+
+// A matrix, square and of order n where n is known (0: not yet).
+std::optional<Matrix> matrix(const TomlTable& table, std::string_view key, Index& n, Digest& digest) {
+  auto found = table.matrix(key, digest);
+  if (!found) return std::nullopt;
+  const Matrix& a = *found;
+  if (a.rows() != a.cols()) table.fail(key, fmt::format("'{}' has {} rows and {} columns: a square matrix was expected", key, a.rows(), a.cols()));
+  if (n != 0 && a.rows() != n) {
+    table.fail(key, fmt::format("'{0}' is {1} × {1}: the order of the matrices before it, {2} × {2}, was expected", key, a.rows(), n));
+  }
+  n = a.rows();
+  return found;
+}
+
+Matrix required(std::optional<Matrix> a, const TomlTable& table, std::string_view key) {
+  if (!a) table.fail(fmt::format("key '{}' is missing: a Matrix Market file or rows of numbers was expected", key));
+  return std::move(*a);
+}
+
+std::variant<System, FirstOrderSystem> read_second_order(const TomlTable& table, Labels labels, std::optional<double>& spin, Digest& digest) {
+  Index n = 0;
+  Matrix mass = required(matrix(table, "mass", n, digest), table, "mass");
+  std::optional<Matrix> gyroscopic = matrix(table, "gyroscopic", n, digest);
+  std::optional<Matrix> stiffness = matrix(table, "stiffness", n, digest);
+  const std::optional<Matrix> per_spin = matrix(table, "gyroscopic_per_spin", n, digest);
+  const std::optional<Matrix> per_spin2 = matrix(table, "stiffness_per_spin2", n, digest);
+  spin = table.frequency("spin");
+  if (spin && !per_spin && !per_spin2) {
+    table.fail("spin", "'spin' has nothing to act on: 'gyroscopic_per_spin' or 'stiffness_per_spin2' was expected beside it");
+  }
+  if (!spin && per_spin) table.fail("gyroscopic_per_spin", "'gyroscopic_per_spin' needs 'spin' = a frequency");
+  if (!spin && per_spin2) table.fail("stiffness_per_spin2", "'stiffness_per_spin2' needs 'spin' = a frequency");
+  if (!stiffness && !per_spin2) table.fail("key 'stiffness' is missing: a Matrix Market file or rows of numbers was expected");
+  Matrix g = gyroscopic.value_or(Matrix::Zero(n, n));
+  Matrix k = stiffness.value_or(Matrix::Zero(n, n));
+  if (per_spin) g += *spin * *per_spin;
+  if (per_spin2) k += *spin * *spin * *per_spin2;
+  return System(std::move(mass), std::move(g), std::move(k), std::move(labels));
+}
+
+std::variant<System, FirstOrderSystem> read_first_order(const TomlTable& table, Labels labels, Digest& digest) {
+  Index n = 0;
+  Matrix inertia = required(matrix(table, "inertia", n, digest), table, "inertia");
+  Matrix g = required(matrix(table, "gyroscopic", n, digest), table, "gyroscopic");
+  return FirstOrderSystem(std::move(inertia), std::move(g), std::move(labels));
+}
+
+KnownValues read_known(const TomlTable& table) {
+  KnownValues known;
+  const auto inner = table.table("known");
+  if (!inner) return known;
+  inner->allow_only(known_keys);
+  known.frequencies = inner->numbers("frequencies");
+  known.stability = inner->text("stability").value_or("");
+  known.system_class = inner->text("class").value_or("");
+  return known;
+}
+
+}  // namespace
+
+Model read_model(const std::filesystem::path& file) {
+  const std::string text = read_text(file, "TOML model");
+  const TomlTable table(text, file);
+  const std::string kind = table.text("kind").value_or("");
+  if (kind.empty()) table.fail("key 'kind' is missing: kind = \"matrices\" or \"first_order\" was expected");
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+    table.fail("kind", fmt::format("kind '{}' is not known to this version: 'matrices' or 'first_order' was expected", shown(kind)));
+  }
+  const bool second_order = kind == "matrices";
+  table.allow_only(second_order ? Keys(matrices_keys) : Keys(first_order_keys));
+  Digest digest;
+  digest.add(text);
+  Labels labels = table.texts("labels");
+  std::optional<double> spin;
+  auto system = second_order ? read_second_order(table, std::move(labels), spin, digest) : read_first_order(table, std::move(labels), digest);
+  return {table.text("title").value_or(file.stem().string()), table.text("reference").value_or(""), kind, digest.sha256(), std::move(system), spin,
+          read_known(table)};
+}
+
+Model read_matrices(const std::filesystem::path& mass, const std::optional<std::filesystem::path>& gyroscopic, const std::filesystem::path& stiffness) {
+  Digest digest;
+  Index n = 0;
+  const auto read = [&](const std::filesystem::path& file) {
+    const std::string text = read_text(file, "Matrix Market");
+    digest.add(text);
+    Matrix a = parse_matrix_market(text, file);
+    if (a.rows() != a.cols()) throw InputError(file, fmt::format("has {} rows and {} columns: a square matrix was expected", a.rows(), a.cols()));
+    if (n != 0 && a.rows() != n) throw InputError(file, fmt::format("is {0} × {0}: the order of '{2}', {1} × {1}, was expected", a.rows(), n, mass.string()));
+    n = a.rows();
+    return a;
+  };
+  Matrix m = read(mass);
+  Matrix g = gyroscopic ? read(*gyroscopic) : Matrix::Zero(n, n);
+  Matrix k = read(stiffness);
+  return {mass.stem().string(), "", "matrices", digest.sha256(), System(std::move(m), std::move(g), std::move(k)), std::nullopt, {}};
+}
+
+Index Model::size() const {
+  return std::visit([](const auto& s) { return s.size(); }, system);
+}
+
+const Labels& Model::labels() const {
+  return std::visit([](const auto& s) -> const Labels& { return s.labels(); }, system);
+}
+
+}  // namespace gyromode::io

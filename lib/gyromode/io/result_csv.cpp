@@ -1,0 +1,68 @@
+#include "gyromode/io/result_csv.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+namespace gyromode::io {
+
+namespace {
+
+// A field as RFC 4180 quotes it.
+std::string field(const std::string& s) {
+  if (s.find_first_of(",\"\r\n") == std::string::npos) return s;
+  std::string quoted = "\"";
+  for (const char c : s) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+double hertz(double omega) { return omega / (2 * std::numbers::pi); }
+
+}  // namespace
+
+std::string modes_csv(const Model& model, const ModesResult& r) {
+  const bool shapes = !r.modes.empty() && r.modes.front().shape.size() > 0;
+  std::string out = "omega,frequency_hz,growth_rate,kind,energy_sign,multiplicity,residual,error_bound";
+  if (shapes) {
+    for (const std::string& label : model.labels()) out += fmt::format(",{},{}", field(label + " re"), field(label + " im"));
+  }
+  out += "\n";
+  for (const Mode& m : r.modes) {
+    out += fmt::format("{},{},0,{},{},{},{},{}", m.omega, hertz(m.omega), word(m.kind), m.energy_sign, m.multiplicity, m.residual, m.error_bound);
+    for (const Complex& z : m.shape) out += fmt::format(",{},{}", z.real(), z.imag());
+    out += "\n";
+  }
+  for (const UnstableMode& u : r.unstable) {
+    out += fmt::format("{},{},{},{},,1,,", u.omega, hertz(u.omega), u.growth_rate, u.flutter() ? "flutter" : "divergence");
+    if (shapes) out += std::string(static_cast<std::size_t>(2 * model.size()), ',');
+    out += "\n";
+  }
+  return out;
+}
+
+std::string count_csv(const CountResult& r) {
+  return fmt::format("from,to,count,signed,zero,negative_from,negative_to,status\n{},{},{},{},{},{},{},{}\n", r.window.a, r.window.b,
+                     r.count ? fmt::format("{}", *r.count) : "", r.signed_count, r.zero, r.negative[0], r.negative[1], word(r.status));
+}
+
+std::string structure_csv(const Model& model, const StructureReport& report) {
+  std::string out = "coordinate,component,group\n";
+  for (std::size_t c = 0; c < report.structure.components.size(); ++c) {
+    const Component& component = report.structure.components[c];
+    for (const Index i : component.coordinates) {
+      const auto& q = component.in_quadrature;
+      const bool second = std::find(q.begin(), q.end(), i) != q.end();
+      out += fmt::format("{},{},{}\n", field(model.labels()[static_cast<std::size_t>(i)]), c + 1,
+                         !component.quadrature() ? "mixed" : second ? "quadrature" : "in_phase");
+    }
+  }
+  return out;
+}
+
+std::string stability_csv(const ModesResult& r) {
+  const IndexBalance& b = r.index_balance;
+  return fmt::format("stability,negative,real_pairs,quadruples,negative_energy,zero,zero_negative,closed\n{},{},{},{},{},{},{},{}\n", word(r.stability),
+                     b.negative, b.real_pairs, b.quadruples, b.negative_energy, b.zero, b.zero_negative, b.closed);
+}
+
+}  // namespace gyromode::io

@@ -1,0 +1,47 @@
+#include "gyromode/io/text_file.h"
+
+#include "gyromode/io/input_error.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+namespace gyromode::io {
+
+std::string read_text(const std::filesystem::path& file, std::string_view what) {
+  constexpr std::size_t most = std::size_t{4} << 30;
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) throw InputError(file, fmt::format("is a directory: a {} file was expected", what));
+  std::ifstream in(file, std::ios::binary);
+  if (!in) {
+    const std::string why = std::generic_category().message(errno);
+    throw InputError(file, fmt::format("cannot be opened ({}): a {} file was expected", why, what));
+  }
+  std::string text;
+  std::vector<char> chunk(1 << 16);
+  do {
+    in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+    text.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > most) throw InputError(file, "is larger than 4 GiB: more than a dense model can need");
+  } while (in);
+  if (in.bad()) throw InputError(file, fmt::format("cannot be read beyond byte {}", text.size()));
+  return text;
+}
+
+std::string shown(std::string_view piece) {
+  constexpr std::size_t most = 40;
+  std::string out;
+  for (const char c : piece.substr(0, most)) {
+    if (c >= ' ' && c <= '~') {
+      out += c;
+    } else {
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    }
+  }
+  return piece.size() > most ? out + "..." : out;
+}
+
+}  // namespace gyromode::io

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace gyromode::io {
+
+/// The whole content of a file. Throws InputError where it is missing, a directory, unreadable, or beyond 4 GiB; `what` names what was
+/// expected in the message ("Matrix Market", "TOML").
+std::string read_text(const std::filesystem::path& file, std::string_view what);
+
+/// A piece of a file as messages show it: 40 characters at most, and nothing that a terminal would obey.
+std::string shown(std::string_view piece);
+
+}  // namespace gyromode::io

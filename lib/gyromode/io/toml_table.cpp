@@ -1,0 +1,151 @@
+#include "gyromode/io/toml_table.h"
+
+#include "gyromode/io/matrix_market.h"
+#include "gyromode/io/nearest.h"
+#include "gyromode/io/text_file.h"
+#include "gyromode/io/unit.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <cmath>
+
+namespace gyromode::io {
+
+struct TomlTable::Content {
+  toml::table table;
+  std::filesystem::path file;
+};
+
+namespace {
+
+std::string_view type_word(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string: return "a string";
+    case toml::node_type::integer:
+    case toml::node_type::floating_point: return "a number";
+    case toml::node_type::boolean: return "true or false";
+    case toml::node_type::array: return "an array";
+    case toml::node_type::table: return "a table";
+    default: return "a date or time";
+  }
+}
+
+[[noreturn]] void fail_at(const std::filesystem::path& file, const toml::node& node, const std::string& message) {
+  throw InputError(file, node.source().begin.line, node.source().begin.column, message);
+}
+
+double finite_number(const std::filesystem::path& file, const toml::node& node, std::string_view what) {
+  const auto value = node.value<double>();
+  if (!node.is_number() || !value) fail_at(file, node, fmt::format("{} is {}: a number was expected", what, type_word(node)));
+  if (!std::isfinite(*value)) fail_at(file, node, fmt::format("{} is {}: a finite number was expected", what, *value));
+  return *value;
+}
+
+Matrix inline_rows(const std::filesystem::path& file, const toml::array& rows, std::string_view key) {
+  const auto* first = rows.empty() ? nullptr : rows.get(0)->as_array();
+  if (!first || first->empty()) fail_at(file, rows, fmt::format("'{}' has no rows: [[…], […]] was expected", key));
+  Matrix a(static_cast<Index>(rows.size()), static_cast<Index>(first->size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto* row = rows.get(i)->as_array();
+    if (!row) fail_at(file, *rows.get(i), fmt::format("row {} of '{}' is {}: an array of numbers was expected", i + 1, key, type_word(*rows.get(i))));
+    if (row->size() != first->size()) {
+      fail_at(file, *row, fmt::format("row {} of '{}' has {} numbers: {} were expected, as in row 1", i + 1, key, row->size(), first->size()));
+    }
+    for (std::size_t j = 0; j < row->size(); ++j) {
+      a(static_cast<Index>(i), static_cast<Index>(j)) = finite_number(file, *row->get(j), fmt::format("entry ({},{}) of '{}'", i + 1, j + 1, key));
+    }
+  }
+  return a;
+}
+
+}  // namespace
+
+TomlTable::TomlTable(std::string_view text, const std::filesystem::path& file) {
+  if (text.empty()) throw InputError(file, "is empty: a TOML model was expected");
+  try {
+    content_ = std::make_shared<const Content>(Content{toml::parse(text, file.string()), file});
+  } catch (const toml::parse_error& e) {
+    std::string message(e.description());
+    for (char& c : message) {
+      if (c == '\n' || c == '\r') c = ' ';
+    }
+    throw InputError(file, e.source().begin.line, e.source().begin.column, fmt::format("is not TOML: {}", message));
+  }
+}
+
+TomlTable::TomlTable(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+
+void TomlTable::allow_only(std::span<const std::string_view> keys) const {
+  for (const auto& [key, value] : content_->table) {
+    if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
+    throw InputError(content_->file, key.source().begin.line, key.source().begin.column,
+                     fmt::format("key '{}' is not known here: did you mean '{}'?", shown(key.str()), nearest(key.str(), keys)));
+  }
+}
+
+std::optional<std::string> TomlTable::text(std::string_view key) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  if (!node->is_string()) fail(key, fmt::format("'{}' is {}: a string was expected", key, type_word(*node)));
+  return node->value<std::string>();
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
+  std::vector<std::string> all;
+  const toml::node* node = content_->table.get(key);
+  if (!node) return all;
+  if (!node->is_array()) fail(key, fmt::format("'{}' is {}: an array of strings was expected", key, type_word(*node)));
+  for (const toml::node& item : *node->as_array()) {
+    if (!item.is_string()) fail_at(content_->file, item, fmt::format("an item of '{}' is {}: a string was expected", key, type_word(item)));
+    all.push_back(*item.value<std::string>());
+  }
+  return all;
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key) const {
+  std::vector<double> all;
+  const toml::node* node = content_->table.get(key);
+  if (!node) return all;
+  if (!node->is_array()) fail(key, fmt::format("'{}' is {}: an array of numbers was expected", key, type_word(*node)));
+  for (const toml::node& item : *node->as_array()) all.push_back(finite_number(content_->file, item, fmt::format("an item of '{}'", key)));
+  return all;
+}
+
+std::optional<double> TomlTable::frequency(std::string_view key) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  if (node->is_number()) return finite_number(content_->file, *node, fmt::format("'{}'", key));
+  if (!node->is_string()) fail(key, fmt::format("'{}' is {}: {} was expected", key, type_word(*node), frequency_form));
+  const std::string written = *node->value<std::string>();
+  const auto value = parse_frequency(written);
+  if (!value) fail(key, fmt::format("'{}' = \"{}\" is no frequency: {} was expected", key, shown(written), frequency_form));
+  return value;
+}
+
+std::optional<TomlTable> TomlTable::table(std::string_view key) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  if (!node->is_table()) fail(key, fmt::format("'{}' is {}: a table [{}] was expected", key, type_word(*node), key));
+  return TomlTable(std::make_shared<const Content>(Content{*node->as_table(), content_->file}));
+}
+
+std::optional<Matrix> TomlTable::matrix(std::string_view key, Digest& digest) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  if (const auto* rows = node->as_array()) return inline_rows(content_->file, *rows, key);
+  if (!node->is_string()) fail(key, fmt::format("'{}' is {}: a Matrix Market file or rows of numbers was expected", key, type_word(*node)));
+  const std::filesystem::path file = content_->file.parent_path() / *node->value<std::string>();
+  if (!std::filesystem::exists(file)) fail(key, fmt::format("'{}' names '{}', which does not exist: a Matrix Market file was expected", key, file.string()));
+  const std::string text = read_text(file, "Matrix Market");
+  digest.add(text);
+  return parse_matrix_market(text, file);
+}
+
+void TomlTable::fail(std::string_view key, const std::string& message) const { fail_at(content_->file, *content_->table.get(key), message); }
+void TomlTable::fail(const std::string& message) const {
+  const std::size_t line = content_->table.source().begin.line;
+  throw InputError(content_->file, line, 0, message);
+}
+
+}  // namespace gyromode::io
