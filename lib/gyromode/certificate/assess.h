@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/certificate/impedance.h"
+#include "gyromode/dense/impedance.h"
 
 namespace gyromode {
 

@@ -1,8 +1,11 @@
 #include "gyromode/certificate/verdict.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace gyromode {
 
@@ -52,34 +55,91 @@ bool return_undecided_flutter(const Impedance& h, dense::Spectrum& s, Assessment
 
 struct Signs {
   std::vector<int> sign;
-  bool undecided_pair = false;
-  Index pairs = 0;  ///< undecided pairs
+  Index undecided_pairs = 0;
   double gap = std::numeric_limits<double>::infinity();
 };
 
-// Neighbours of opposite sign whose distance a backward error bridges get the sign 0.
-Signs energy_signs(Index n, const dense::Spectrum& s, const Assessment& a) {
-  const double eta = backward_error(n);
-  Signs result;
+// How far a backward error of η moves root i, capped where the root is so nearly defective that first order says nothing.
+double movement(const dense::Spectrum& s, const Assessment& a, Index i) {
+  return std::min(backward_error(s.size()) * a.sensitivity(i), 1e-5 * s.omega(i));
+}
+
+// The last of the roots that a backward error can make coincide, one after the other, from `first` on.
+Index end_of_cluster(const dense::Spectrum& s, const Assessment& a, Index first) {
+  Index last = first;
+  while (last + 1 < s.omega.size() && s.omega(last + 1) - s.omega(last) <= movement(s, a, last) + movement(s, a, last + 1)) ++last;
+  return last;
+}
+
+// A root with a form far above rounding has the sign of its form.
+bool sure(const dense::Spectrum& s, const Assessment& a, Index i) { return backward_error(s.size()) * a.sensitivity(i) <= 1e-7 * s.omega(i); }
+
+// Positive minus negative eigenvalues of the form X_cᴴ(2ωM − jG)X_c on the unit shapes of a cluster: its signs, by Sylvester's law, if the shapes are
+// independent and the form regular, both far from doubt.
+std::optional<Index> signature(const Impedance& h, const dense::Spectrum& s, Index first, Index last) {
+  constexpr double regular = 1e-5;
+  const Index count = last - first + 1;
+  ComplexMatrix x(s.size(), count);
+  for (Index i = 0; i < count; ++i) x.col(i) = s.shape(first + i).normalized();
+  const auto weakest = [](const Vector& v) { return v.cwiseAbs().minCoeff() / v.cwiseAbs().maxCoeff(); };
+  const Vector lengths = Eigen::SelfAdjointEigenSolver<ComplexMatrix>(x.adjoint() * x, Eigen::EigenvaluesOnly).eigenvalues();
+  const ComplexMatrix form = h.form(x, 0.5 * (s.omega(first) + s.omega(last)));
+  const Vector values = Eigen::SelfAdjointEigenSolver<ComplexMatrix>(form, Eigen::EigenvaluesOnly).eigenvalues();
+  if (!(weakest(lengths) > regular) || !(weakest(values) > regular)) return std::nullopt;
+  return (values.array() > 0).count() - (values.array() < 0).count();
+}
+
+// Positive minus negative roots in a cluster: n₋(H) across it, if no other root is touched.
+std::optional<Index> jump(const Impedance& h, const dense::Spectrum& s, const Assessment& a, Index first, Index last) {
+  const double below = s.omega(first) - 4 * movement(s, a, first);
+  const double above = s.omega(last) + 4 * movement(s, a, last);
+  if (first > 0 && s.omega(first - 1) + movement(s, a, first - 1) >= below) return std::nullopt;
+  if (last + 1 < s.omega.size() && s.omega(last + 1) - movement(s, a, last + 1) <= above) return std::nullopt;
+  const Inertia low = h.negative_at(below);
+  const Inertia high = h.negative_at(above);
+  if (low.doubtful() || high.doubtful()) return std::nullopt;
+  return high.negative - low.negative;
+}
+
+// Signs of the roots of a cluster: `difference` = p − q of p positive and q negative ones. Pairs of opposite sign get 0 and 0.
+void assign(Signs& signs, Index first, Index last, Index difference) {
+  const Index count = last - first + 1;
+  const Index surplus = std::abs(difference);
+  if (surplus > count || (count - surplus) % 2 != 0) return;  // contradicts the roots found: the forms stand, and the balance will tell
+  for (Index i = first; i <= last; ++i) signs.sign[static_cast<std::size_t>(i)] = i - first < count - surplus ? 0 : (difference > 0 ? 1 : -1);
+  signs.undecided_pairs += (count - surplus) / 2;
+}
+
+Signs energy_signs(const Impedance& h, const dense::Spectrum& s, const Assessment& a) {
+  Signs signs;
   const Index m = s.omega.size();
-  for (Index i = 0; i < m; ++i) result.sign.push_back(a.form(i) > 0 ? 1 : -1);
-  // A root whose own form drowns in the backward error has no sign: it sits in a (nearly) defective pair.
-  for (Index i = 0; i + 1 < m; ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
-    if (result.sign[k] == 0) continue;
-    const double distance = s.omega(i + 1) - s.omega(i);
-    const bool bridged = distance <= eta * (a.sensitivity(i) + a.sensitivity(i + 1));
-    const bool opposite = result.sign[k] != result.sign[k + 1];
-    const bool defective = std::max(a.sensitivity(i), a.sensitivity(i + 1)) * eta >= 0.1 * s.omega(i + 1);
-    if (opposite) result.gap = std::min(result.gap, distance / s.omega(i + 1));
-    if (bridged && (opposite || defective)) {
-      result.sign[k] = result.sign[k + 1] = 0;
-      result.undecided_pair = true;
-      ++result.pairs;
-      ++i;
+  for (Index i = 0; i < m; ++i) signs.sign.push_back(a.form(i) > 0 ? 1 : -1);
+  for (Index first = 0, last; first < m; first = last + 1) {
+    last = end_of_cluster(s, a, first);
+    bool all_sure = true;
+    Index difference = 0;
+    for (Index i = first; i <= last; ++i) {
+      all_sure = all_sure && sure(s, a, i);
+      difference += signs.sign[static_cast<std::size_t>(i)];
     }
+    if (all_sure && first == last) continue;
+    std::optional<Index> known = all_sure ? signature(h, s, first, last) : std::nullopt;
+    if (!known) known = jump(h, s, a, first, last);
+    assign(signs, first, last, known.value_or(difference));
   }
-  return result;
+  for (Index i = 0; i + 1 < m; ++i) {
+    const int product = signs.sign[static_cast<std::size_t>(i)] * signs.sign[static_cast<std::size_t>(i + 1)];
+    if (product < 0) signs.gap = std::min(signs.gap, (s.omega(i + 1) - s.omega(i)) / s.omega(i + 1));
+  }
+  if (signs.undecided_pairs > 0) signs.gap = 0;
+  return signs;
+}
+
+// K ≥ 0: energy is positive in every motion (theory §4).
+Signs all_positive(const dense::Spectrum& s) {
+  Signs signs;
+  signs.sign.assign(static_cast<std::size_t>(s.omega.size()), 1);
+  return signs;
 }
 
 IndexBalance balance_of(const dense::Spectrum& s, const Signs& signs) {
@@ -87,7 +147,7 @@ IndexBalance balance_of(const dense::Spectrum& s, const Signs& signs) {
   b.negative = s.stiffness_negative;
   b.real_pairs = static_cast<Index>(s.divergence.size());
   b.quadruples = static_cast<Index>(s.flutter.size());
-  b.negative_energy = std::count(signs.sign.begin(), signs.sign.end(), -1) + signs.pairs;
+  b.negative_energy = std::count(signs.sign.begin(), signs.sign.end(), -1) + signs.undecided_pairs;
   b.zero = s.zero_pairs();
   b.zero_negative = s.stiffness_negative - s.reduced_negative;
   const Index found = s.omega.size() + b.zero + b.real_pairs + 2 * b.quadruples;
@@ -129,7 +189,7 @@ Verdict judge(const Impedance& h, dense::Spectrum& s, Assessment& a) {
     return v;
   }
   const bool flutter_undecided = return_undecided_flutter(h, s, a);
-  const Signs signs = energy_signs(h.size(), s, a);
+  const Signs signs = s.stiffness_negative == 0 ? all_positive(s) : energy_signs(h, s, a);
   v.energy_sign = signs.sign;
   v.gap = signs.gap;
   v.balance = balance_of(s, signs);
@@ -137,7 +197,7 @@ Verdict judge(const Impedance& h, dense::Spectrum& s, Assessment& a) {
     v.stability = v.balance.closed ? Stability::stable : Stability::unknown;
   } else if (!s.divergence.empty() || !s.flutter.empty()) {
     v.stability = Stability::unstable;
-  } else if (flutter_undecided || signs.undecided_pair || s.zero_pairs() > 0) {
+  } else if (flutter_undecided || signs.undecided_pairs > 0 || s.zero_pairs() > 0) {
     v.stability = Stability::marginal;
   } else {
     v.stability = v.balance.closed ? Stability::gyroscopically_stabilised : Stability::unknown;

@@ -69,7 +69,9 @@ void solve_companion(const SecondOrder& m, Spectrum& s) {
   const MassNormal normal(m.mass);
   const NormalForm form{normal.gyroscopic(m.gyroscopic), normal.stiffness(m.stiffness)};
   if (d.zero > 0) {
-    const Deflation deflation = deflate(form);
+    Matrix null = d.null_space;
+    normal.to_normal(null);
+    const Deflation deflation = deflate(form, {null, d.zero, d.negative});
     s.reduced_negative = deflation.negative;
     s.impedance_negative = deflation.ignorable + deflation.negative + deflation.gyroscopic_null.cols() / 2;
     s.zero_shapes.resize(n, deflation.zero_pairs);

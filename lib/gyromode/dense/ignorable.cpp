@@ -2,36 +2,37 @@
 
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/singular.h"
+#include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
-#include "gyromode/structure/definiteness.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace gyromode::dense {
 
 namespace {
 
-// null(k) with orthonormal columns; with a partition the first `first` of them live in the first group.
-struct NullBasis {
-  Matrix vectors;
-  Index first = 0;
-  Index negative = 0;
-};
-
 Matrix orthonormal(const Matrix& a) { return lapack::orthogonal_completion(a).leftCols(a.cols()); }
 
-NullBasis null_basis(const NormalForm& form) {
+// Eigenvalues of k up to the threshold are zero. In mass-normalised coordinates all entries have the unit of ω², and what a reduction should have
+// made zero is rounding of ‖k‖ + ‖Γ‖²: an equilibration would blow it up.
+NullBasis normwise(const Matrix& k, double threshold) {
+  if (k.rows() == 0) return {Matrix(0, 0), 0, 0};
+  const auto e = lapack::symmetric_eigen(k);
+  const Index negative = (e.values.array() < -threshold).count();
+  const Index zero = (e.values.array() <= threshold).count() - negative;
+  return {e.vectors.middleCols(negative, zero), zero, negative};
+}
+
+NullBasis null_basis(const NormalForm& form, double threshold) {
   const Index n = form.size();
-  if (!form.quadrature()) {
-    const Definiteness d = definiteness(form.k);
-    return {orthonormal(d.null_space), d.zero, d.negative};
-  }
+  if (!form.quadrature()) return normwise(form.k, threshold);
   const Index p = form.split;
-  const Definiteness d1 = definiteness(form.k.topLeftCorner(p, p));
-  const Definiteness d2 = definiteness(form.k.bottomRightCorner(n - p, n - p));
-  NullBasis basis{Matrix::Zero(n, d1.zero + d2.zero), d1.zero, d1.negative + d2.negative};
-  if (d1.zero > 0) basis.vectors.topLeftCorner(p, d1.zero) = orthonormal(d1.null_space);
-  if (d2.zero > 0) basis.vectors.bottomRightCorner(n - p, d2.zero) = orthonormal(d2.null_space);
+  const NullBasis one = normwise(form.k.topLeftCorner(p, p), threshold);
+  const NullBasis two = normwise(form.k.bottomRightCorner(n - p, n - p), threshold);
+  NullBasis basis{Matrix::Zero(n, one.first + two.first), one.first, one.negative + two.negative};
+  basis.vectors.topLeftCorner(p, one.first) = one.vectors;
+  basis.vectors.bottomRightCorner(n - p, two.first) = two.vectors;
   return basis;
 }
 
@@ -86,12 +87,32 @@ Matrix complement(const NormalForm& form, const Matrix& n0, Index& split) {
   return c;
 }
 
+// The given null vectors made orthonormal, within their groups.
+Matrix orthonormal_by_group(const NullBasis& basis, const NormalForm& form) {
+  if (!form.quadrature()) return orthonormal(basis.vectors);
+  const Index p = form.split;
+  const Index r = form.size() - p;
+  const Index second = basis.vectors.cols() - basis.first;
+  Matrix v = Matrix::Zero(form.size(), basis.vectors.cols());
+  v.topLeftCorner(p, basis.first) = orthonormal(basis.vectors.topLeftCorner(p, basis.first));
+  v.bottomRightCorner(r, second) = orthonormal(basis.vectors.bottomRightCorner(r, second));
+  return v;
+}
+
+double rounding_threshold(const NormalForm& form) {
+  const double scale = std::max(form.k.norm(), form.gamma.squaredNorm());
+  return 8 * static_cast<double>(form.size()) * std::numeric_limits<double>::epsilon() * scale;
+}
+
 }  // namespace
 
-Deflation deflate(NormalForm form) {
+Index Deflation::negative_in(const Matrix& k) const { return normwise(k, threshold).negative; }
+
+Deflation deflate(NormalForm form, NullBasis basis) {
   Deflation d;
+  d.threshold = rounding_threshold(form);
+  basis.vectors = orthonormal_by_group(basis, form);
   for (;;) {  // every turn but the last removes at least one coordinate
-    const NullBasis basis = null_basis(form);
     const NullSplit null = split_null(form, basis);
     if (null.n0.cols() == 0) {
       d.negative = basis.negative;
@@ -111,6 +132,7 @@ Deflation deflate(NormalForm form) {
     form = {0.5 * (gamma - gamma.transpose()), 0.5 * (k + k.transpose()), split};
     d.steps.push_back(std::move(step));
     if (form.size() == 0) break;
+    basis = null_basis(form, d.threshold);
   }
   d.reduced = std::move(form);
   return d;

@@ -6,6 +6,13 @@
 
 namespace gyromode::dense {
 
+/// Null space and index of a stiffness.
+struct NullBasis {
+  Matrix vectors;      ///< n × r, spanning null(k); with a partition each column lies in one group
+  Index first = 0;     ///< how many lie in the first group
+  Index negative = 0;  ///< n₋(k)
+};
+
 /// Exact removal of the zero roots of a singular system (Routh's ignorable coordinates).
 ///
 /// Let N span null(k). Directions N₀ ⊂ null(k) with N₀ᵀΓN = 0 have the conserved momenta N₀ᵀ(ż + Γz), which vanish in every motion e^{λt} with
@@ -26,11 +33,17 @@ struct Deflation {
   Index zero_pairs = 0;
   Index ignorable = 0;     ///< Σ dim N₀, by which n₋(H) of the reduced system falls short of that of the whole (Haynsworth)
   Index negative = 0;      ///< n₋ of the reduced stiffness
+  double threshold = 0;    ///< eigenvalues of the reduced stiffness up to this are zero
+
+  /// Eigenvalues of k below −threshold.
+  Index negative_in(const Matrix& k) const;
 
   /// Shapes of the full system from those of the reduced one (columns), each with its root λ (theory: X e^{λt}).
   ComplexMatrix expand(const ComplexMatrix& shapes, const ComplexVector& lambda) const;
 };
 
-Deflation deflate(NormalForm form);
+/// `null` is null(k) as found on the stiffness given, where its units could be taken out; null spaces of reduced systems are decided by
+/// |λ| ≤ 8 n ε max(‖k‖, ‖Γ‖²).
+Deflation deflate(NormalForm form, NullBasis null);
 
 }  // namespace gyromode::dense

@@ -120,13 +120,32 @@ void resolve_small(const EvenPencil& p, const ComplexVector& lambda, const Compl
   for (Root& r : roots_of(inner, e.values, e.vectors, depth + 1)) roots.push_back({r.lambda, v * r.w, r.form});
 }
 
+// A limit within a factor 10 below `limit` that tears no pair or quadruple (roots of equal modulus) apart: the middle of the widest gap there, if it is
+// wide enough; 0 where there is none.
+double gap_below(const ComplexVector& lambda, double limit) {
+  std::vector<double> moduli;
+  for (const Complex& z : lambda) moduli.push_back(std::abs(z));
+  std::sort(moduli.begin(), moduli.end());
+  double best = 1.01;
+  double place = 0;
+  for (std::size_t i = 0; i + 1 < moduli.size(); ++i) {
+    const double low = std::max(moduli[i], 0.1 * limit);
+    const double high = std::min(moduli[i + 1], limit);
+    if (moduli[i] > limit || !(high > best * low)) continue;
+    best = high / low;
+    place = std::sqrt(low * high);
+  }
+  return place;
+}
+
 std::vector<Root> roots_of(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w, int depth) {
   constexpr double small_ratio = 1e-2;
   constexpr int deepest = 12;
   const double largest = lambda.cwiseAbs().maxCoeff();
+  const double limit = depth < deepest ? gap_below(lambda, small_ratio * largest) : 0;
   std::vector<Index> small, real, upper;
   for (Index i = 0; i < lambda.size(); ++i) {
-    if (depth < deepest && std::abs(lambda(i)) <= small_ratio * largest) {
+    if (std::abs(lambda(i)) < limit) {
       small.push_back(i);
     } else if (lambda(i).imag() == 0) {
       real.push_back(i);

@@ -27,10 +27,37 @@ std::vector<PencilRoot> definite_pencil(const ComplexMatrix& a, const HermitianE
   return roots;
 }
 
+// The roots of a self-adjoint pencil are real or in conjugate pairs. Each computed μ is matched with the nearest conjugate of another one; where that is
+// nearer than its own, the two are made a pair, else μ is made real.
+ComplexVector paired(const ComplexVector& computed) {
+  ComplexVector values = computed;
+  std::vector<bool> taken(static_cast<std::size_t>(values.size()), false);
+  for (Index k = 0; k < values.size(); ++k) {
+    if (taken[static_cast<std::size_t>(k)]) continue;
+    Index partner = k;
+    double nearest = 2 * std::abs(computed(k).imag());
+    for (Index i = k + 1; i < values.size(); ++i) {
+      const double distance = std::abs(computed(i) - std::conj(computed(k)));
+      if (taken[static_cast<std::size_t>(i)] || !(distance < nearest)) continue;
+      partner = i;
+      nearest = distance;
+    }
+    taken[static_cast<std::size_t>(k)] = taken[static_cast<std::size_t>(partner)] = true;
+    if (partner == k) {
+      values(k) = computed(k).real();
+    } else {
+      values(k) = 0.5 * (computed(k) + std::conj(computed(partner)));
+      values(partner) = std::conj(values(k));
+    }
+  }
+  return values;
+}
+
 std::vector<PencilRoot> indefinite_pencil(const ComplexMatrix& a, const ComplexMatrix& b) {
   const Index n = a.rows();
   const Eigen::PartialPivLU<ComplexMatrix> lu(b);
   const auto e = lapack::general_eigen(ComplexMatrix(lu.solve(a)));
+  const ComplexVector values = paired(e.values);
   std::vector<PencilRoot> roots;
   for (Index k = 0; k < n; ++k) {
     const ComplexVector y = e.vectors.col(k);
@@ -39,8 +66,8 @@ std::vector<PencilRoot> indefinite_pencil(const ComplexMatrix& a, const ComplexM
     double partner = 0;
     for (Index i = 0; i < n; ++i) partner = std::max(partner, std::abs(e.vectors.col(i).dot(by)));
     const double own = std::real(y.dot(by));
-    const bool on_axis = std::abs(e.values(k).imag()) <= 1e-12 * std::abs(e.values(k)) && std::abs(own) >= 0.5 * partner;
-    roots.push_back({on_axis ? Complex(e.values(k).real(), 0) : e.values(k), y, on_axis ? own : partner});
+    const bool on_axis = values(k).imag() == 0;
+    roots.push_back({values(k), y, on_axis ? own : partner});
   }
   return roots;
 }

@@ -51,7 +51,7 @@ Matrix w_matrix(const QuadratureForm& form) {
 // An error ε‖W‖ in ω² is one of ε‖W‖/2ω in ω, while a backward error nε in K moves ω by nε‖K‖‖X‖²ω/2. The eigenvalues of W are good enough
 // while the first is below the second for every mode, and while no ω² is below 1e-8 of the largest (there ω has 8 digits).
 bool small_frequencies_ask_for_svd(const QuadratureForm& form, const QuadratureModes& modes, double norm_w) {
-  if (!form.f2 || modes.omega.size() == 0) return false;
+  if (modes.omega.size() == 0) return false;
   constexpr double smallest_ratio = 1e-4;
   if (modes.omega(0) < smallest_ratio * modes.omega(modes.omega.size() - 1)) return true;
   const double norm_k = std::max(form.k1.norm(), form.k2.norm());
@@ -85,7 +85,7 @@ QuadratureModes by_w(const QuadratureForm& form) {
   const Index unstable = (e.values.array() < 0).count();
   const Index m = e.values.size() - unstable;
   QuadratureModes modes = recovered(form, e.values.tail(m).cwiseSqrt(), e.vectors.rightCols(m));
-  if (unstable == 0 && small_frequencies_ask_for_svd(form, modes, norm_w)) return by_singular_values(form);
+  if (form.f2 && (unstable > 0 || small_frequencies_ask_for_svd(form, modes, norm_w))) return by_singular_values(form);
   for (Index i = 0; i < unstable; ++i) modes.divergence.push_back(std::sqrt(-e.values(i)));
   modes.path = "eigenvalues of W (real symmetric, n × n)";
   return modes;

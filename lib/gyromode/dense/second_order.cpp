@@ -121,8 +121,8 @@ ComplexMatrix solve_reduced_quadrature(const Deflation& d, Spectrum& s) {
   const Index pairs = d.gyroscopic_null.cols() / 2;
   QuadratureForm form{d.reduced.gamma.topRightCorner(p, r), d.reduced.k.topLeftCorner(p, p), d.reduced.k.bottomRightCorner(r, r), {}, {},
                       d.gyroscopic_null.topLeftCorner(p, pairs), d.gyroscopic_null.bottomRightCorner(r, pairs)};
-  if (definiteness(form.k1).negative == 0) form.f1 = semidefinite_root(form.k1, form.null1);
-  if (definiteness(form.k2).negative == 0) form.f2 = semidefinite_root(form.k2, form.null2);
+  if (d.negative_in(form.k1) == 0) form.f1 = semidefinite_root(form.k1, form.null1);
+  if (d.negative_in(form.k2) == 0) form.f2 = semidefinite_root(form.k2, form.null2);
   QuadratureModes modes = quadrature_modes(form);
   ComplexMatrix shapes(d.reduced.size(), modes.omega.size());
   shapes.topRows(p) = modes.x.cast<Complex>();
@@ -161,8 +161,20 @@ void to_physical(const SecondOrder& m, ComplexMatrix& x) {
   x << first, second;
 }
 
-void solve_singular(const SecondOrder& m, const Matrix& null_space, Spectrum& s) {
-  const Deflation d = deflate(normal_form(m));
+// q to z, group by group.
+Matrix to_normal(const SecondOrder& m, Matrix q) {
+  if (m.split < 0) {
+    MassNormal(m.mass).to_normal(q);
+    return q;
+  }
+  const Index r = m.size() - m.split;
+  MassNormal(m.mass.topLeftCorner(m.split, m.split)).to_normal(q.topRows(m.split));
+  MassNormal(m.mass.bottomRightCorner(r, r)).to_normal(q.bottomRows(r));
+  return q;
+}
+
+void solve_singular(const SecondOrder& m, const Matrix& null_space, Index null_in_first, Spectrum& s) {
+  const Deflation d = deflate(normal_form(m), {to_normal(m, null_space), null_in_first, s.stiffness_negative});
   s.reduced_negative = d.negative;
   s.impedance_negative = d.ignorable + d.negative + d.gyroscopic_null.cols() / 2;
   s.zero_shapes.resize(m.size(), d.zero_pairs);
@@ -207,7 +219,7 @@ void solve_second_order(const SecondOrder& m, Spectrum& s) {
     Matrix null_space = Matrix::Zero(m.size(), s.stiffness_zero);
     null_space.topLeftCorner(d1.null_space.rows(), d1.zero) = d1.null_space;
     if (d2.zero > 0) null_space.bottomRightCorner(d2.null_space.rows(), d2.zero) = d2.null_space;
-    solve_singular(m, null_space, s);
+    solve_singular(m, null_space, d1.zero, s);
   } else if (m.split >= 0) {
     solve_regular_quadrature(m, d1, d2, s);
   } else {

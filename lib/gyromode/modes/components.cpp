@@ -1,5 +1,7 @@
 #include "gyromode/modes/components.h"
 
+#include "gyromode/certificate/polish.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +20,7 @@ SolvedSystem solved(const AnySystem& given, const StructureOptions& options, den
     dense::Spectrum spectrum = dense::solve(system, component, method);
     Impedance impedance(system, spectrum);
     Assessment assessment = assess(impedance, spectrum);
+    polish(impedance, spectrum, assessment);
     Verdict verdict = judge(impedance, spectrum, assessment);
     s.components.push_back({std::move(spectrum), std::move(impedance), std::move(assessment), std::move(verdict)});
   }

@@ -1,4 +1,4 @@
-#include "gyromode/certificate/impedance.h"
+#include "gyromode/dense/impedance.h"
 
 #include "gyromode/dense/solve.h"
 #include "gyromode/system/scale.h"
@@ -36,23 +36,38 @@ double Impedance::scale(double omega) const {
   return second_order_ ? norm_k_ + omega * (norm_g_ + omega * norm_m_) : omega * norm_m_ + norm_g_;
 }
 
-// First order: ωI − jG; T = diag(1, −j) turns it into [ωI₁, −B; −Bᵀ, ωI₂].
-Inertia Impedance::negative_at(double omega) const {
-  const double on_mass = second_order_ ? -omega * omega : omega;
-  const double on_g = second_order_ ? omega : -1;
-  if (quadrature()) {
-    const Index p = m_rr_.rows();
-    Matrix h(n_, n_);
-    h.topLeftCorner(p, p) = k_rr_ + on_mass * m_rr_;
-    h.bottomRightCorner(n_ - p, n_ - p) = k_ii_ + on_mass * m_ii_;
-    h.topRightCorner(p, n_ - p) = on_g * g_ri_;
-    h.bottomLeftCorner(n_ - p, p) = on_g * g_ri_.transpose();
-    return inertia(h);
-  }
-  ComplexMatrix h(n_, n_);
-  h.real() = k_rr_ + on_mass * m_rr_;
-  h.imag() = on_g * g_ri_;
-  return inertia(h);
+// [on_k K₁ + on_m M₁, on_g B; ·, on_k K₂ + on_m M₂]
+Matrix Impedance::star(double on_k, double on_m, double on_g) const {
+  const Index p = m_rr_.rows();
+  Matrix h(n_, n_);
+  h.topLeftCorner(p, p) = on_k * k_rr_ + on_m * m_rr_;
+  h.bottomRightCorner(n_ - p, n_ - p) = on_k * k_ii_ + on_m * m_ii_;
+  h.topRightCorner(p, n_ - p) = on_g * g_ri_;
+  h.bottomLeftCorner(n_ - p, p) = on_g * g_ri_.transpose();
+  return h;
 }
+
+// on_k K + on_m M + j on_g G
+ComplexMatrix Impedance::hermitian(double on_k, double on_m, double on_g) const {
+  ComplexMatrix h(n_, n_);
+  h.real() = on_k * k_rr_ + on_m * m_rr_;
+  h.imag() = on_g * g_ri_;
+  return h;
+}
+
+// T⁻¹(jωG)T has the blocks ωB and ωBᵀ; T⁻¹(−jG)T has −B and −Bᵀ.
+Matrix Impedance::real_at(double omega) const { return second_order_ ? star(1, -omega * omega, omega) : star(0, omega, -1); }
+Matrix Impedance::real_slope_at(double omega) const { return second_order_ ? star(0, 2 * omega, -1) : star(0, 1, 0); }
+ComplexMatrix Impedance::complex_at(double omega) const { return second_order_ ? hermitian(1, -omega * omega, omega) : hermitian(0, omega, -1); }
+ComplexMatrix Impedance::complex_slope_at(double omega) const { return second_order_ ? hermitian(0, 2 * omega, -1) : hermitian(0, 1, 0); }
+
+ComplexMatrix Impedance::form(const ComplexMatrix& x, double omega) const {
+  if (!quadrature()) return x.adjoint() * (complex_slope_at(omega) * x);
+  ComplexMatrix star = x;  // X* = T⁻¹X
+  star.bottomRows(n_ - split_) *= Complex(0, 1);
+  return star.adjoint() * (real_slope_at(omega) * star);
+}
+
+Inertia Impedance::negative_at(double omega) const { return quadrature() ? inertia(real_at(omega)) : inertia(complex_at(omega)); }
 
 }  // namespace gyromode

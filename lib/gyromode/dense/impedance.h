@@ -1,15 +1,14 @@
 #pragma once
 
-#include "gyromode/certificate/inertia.h"
+#include "gyromode/dense/inertia.h"
 #include "gyromode/dense/spectrum.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/system.h"
 
 namespace gyromode {
 
-/// The impedance matrix of one component as it depends on ω, H(ω) = A₀ + ωA₁·j − ω²A₂, in the order of its Spectrum:
-/// second order A₀ = K, A₁ = G, A₂ = M; first order H₁ = ωI − jG is taken as −ω-linear below. With a partition everything is real:
-/// H* = T⁻¹HT, T = diag(1, −j) (Boland & Janssens 1979, Eqs. 10–12).
+/// The impedance matrix of one component in the order of its Spectrum: H(ω) = K − ω²M + jωG, or H₁(ω) = ωI − jG in first order. With a partition
+/// everything is real: H* = T⁻¹HT, T = diag(1, −j) (Boland & Janssens 1979, Eqs. 10–12).
 class Impedance {
  public:
   Impedance(const System& system, const dense::Spectrum& s);
@@ -18,6 +17,16 @@ class Impedance {
   Index size() const { return n_; }
   bool quadrature() const { return split_ >= 0; }
   bool second_order() const { return second_order_; }
+
+  /// H*(ω) and its slope −dH*/dω (dH₁*/dω in first order), real symmetric; only with a partition.
+  Matrix real_at(double omega) const;
+  Matrix real_slope_at(double omega) const;
+  /// H(ω) and its slope 2ωM − jG (I in first order), Hermitian; only without a partition.
+  ComplexMatrix complex_at(double omega) const;
+  ComplexMatrix complex_slope_at(double omega) const;
+
+  /// Xᴴ H′(ω) X with H′ the slope above, for any complex shapes X (n × c) in the order of the Spectrum; Hermitian c × c.
+  ComplexMatrix form(const ComplexMatrix& x, double omega) const;
 
   /// n₋(H(ω)), ω > 0, from the real symmetric H* where there is a partition, else from the Hermitian H.
   Inertia negative_at(double omega) const;
@@ -34,6 +43,8 @@ class Impedance {
   const Matrix& gyroscopic_ri() const { return g_ri_; }
 
  private:
+  Matrix star(double on_k, double on_m, double on_g) const;
+  ComplexMatrix hermitian(double on_k, double on_m, double on_g) const;
   void take(const Matrix& mass, const Matrix& gyroscopic, const Matrix* stiffness, const dense::Spectrum& s);
 
   Index n_ = 0;

@@ -1,4 +1,4 @@
-#include "gyromode/certificate/inertia.h"
+#include "gyromode/dense/inertia.h"
 
 #include "gyromode/lapack/indefinite.h"
 #include "gyromode/system/scale.h"

@@ -1,0 +1,49 @@
+#include "gyromode/certificate/polish.h"
+
+#include "gyromode/dense/refine.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace gyromode {
+
+namespace {
+
+// Runs of neighbours whose error intervals touch; those with a poor residual among them.
+std::vector<std::vector<Index>> poor_groups(const dense::Spectrum& s, const Assessment& a, double enough) {
+  std::vector<std::vector<Index>> groups;
+  std::vector<Index> run;
+  bool poor = false;
+  double reach = 0;
+  for (Index i = 0; i <= s.omega.size(); ++i) {
+    const bool ends = i == s.omega.size() || run.empty() || s.omega(i) - 4 * a.error_bound(i) > reach;
+    if (ends && !run.empty()) {
+      if (poor) groups.push_back(run);
+      run.clear();
+      poor = false;
+      reach = 0;
+    }
+    if (i == s.omega.size()) break;
+    run.push_back(i);
+    poor = poor || !(a.residual(i) <= enough);
+    reach = std::max(reach, s.omega(i) + 4 * a.error_bound(i));
+  }
+  return groups;
+}
+
+}  // namespace
+
+void polish(const Impedance& h, dense::Spectrum& s, Assessment& a, Index most) {
+  const double enough = 4 * static_cast<double>(std::max<Index>(s.size(), 2)) * std::numeric_limits<double>::epsilon();
+  bool changed = false;
+  for (const auto& group : poor_groups(s, a, enough)) {
+    if (most-- <= 0) break;
+    double reach = 0;
+    for (const Index i : group) reach = std::max(reach, 4 * a.error_bound(i));
+    reach += s.omega(group.back()) - s.omega(group.front());
+    changed = dense::refine(h, s, group, reach) || changed;
+  }
+  if (changed) a = assess(h, s);
+}
+
+}  // namespace gyromode

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "gyromode/certificate/assess.h"
+
+namespace gyromode {
+
+/// Refines the roots whose residual is above 4 n ε, groups of overlapping error intervals together, and measures them again.
+/// Each costs a factorisation or two of H; at most `most` groups are refined, lowest frequencies first (what is left keeps its honest residual).
+void polish(const Impedance& h, dense::Spectrum& s, Assessment& a, Index most = 400);
+
+}  // namespace gyromode

@@ -1,0 +1,146 @@
+#include "gyromode/dense/refine.h"
+
+#include "gyromode/dense/pencil.h"
+#include "gyromode/lapack/indefinite.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gyromode::dense {
+
+namespace {
+
+template <class AnyMatrix>
+AnyMatrix orthonormal(const AnyMatrix& y) {
+  return Eigen::HouseholderQR<AnyMatrix>(y).householderQ() * AnyMatrix::Identity(y.rows(), y.cols());
+}
+
+// Shapes of a group: real X* with a partition (X = T X*), complex X without.
+Matrix taken(const Spectrum& s, const std::vector<Index>& group, const Matrix&) {
+  Matrix x(s.size(), static_cast<Index>(group.size()));
+  x << s.re(Eigen::all, group), -s.im(Eigen::all, group);
+  return x;
+}
+
+ComplexMatrix taken(const Spectrum& s, const std::vector<Index>& group, const ComplexMatrix&) {
+  ComplexMatrix x(s.size(), static_cast<Index>(group.size()));
+  x.real() = s.re(Eigen::all, group);
+  x.imag() = s.im(Eigen::all, group);
+  return x;
+}
+
+void stored(Spectrum& s, Index position, const Vector& x) {
+  s.re.col(position) = x.head(s.split);
+  s.im.col(position) = -x.tail(s.size() - s.split);
+}
+
+void stored(Spectrum& s, Index position, const ComplexVector& x) {
+  s.re.col(position) = x.real();
+  s.im.col(position) = x.imag();
+}
+
+// H(σ) and H′(σ) = −dH/dσ, real with a partition.
+struct RealPair {
+  Matrix value, slope;
+};
+struct ComplexPair {
+  ComplexMatrix value, slope;
+};
+RealPair at(const Impedance& h, double omega, const Matrix&) { return {h.real_at(omega), h.real_slope_at(omega)}; }
+ComplexPair at(const Impedance& h, double omega, const ComplexMatrix&) { return {h.complex_at(omega), h.complex_slope_at(omega)}; }
+
+double largest_step(const std::vector<PencilRoot>& roots) {
+  double step = 0;
+  for (const PencilRoot& r : roots) step = std::max(step, std::abs(r.value));
+  return step;
+}
+
+// The part of y that multiplies a real basis, up to a phase.
+Vector coefficients(const ComplexVector& y, const Matrix&) {
+  Index largest = 0;
+  y.cwiseAbs().maxCoeff(&largest);
+  return (y * std::conj(y(largest)) / std::abs(y(largest))).real();
+}
+ComplexVector coefficients(const ComplexVector& y, const ComplexMatrix&) { return y; }
+
+template <class AnyMatrix>
+bool refine_group(const Impedance& h, Spectrum& s, const std::vector<Index>& group, double reach) {
+  constexpr int most_steps = 5;
+  const double epsilon = std::numeric_limits<double>::epsilon();
+  AnyMatrix x = taken(s, group, AnyMatrix());
+  double sigma = 0;
+  for (const Index i : group) sigma += s.omega(i) / static_cast<double>(group.size());
+  const double start = sigma;
+  std::vector<PencilRoot> roots;
+  double previous = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < most_steps; ++step) {
+    const auto pair = at(h, sigma, x);
+    const AnyMatrix y = lapack::solve(lapack::factor_indefinite(pair.value), AnyMatrix(pair.slope * x));
+    if (!y.allFinite()) {  // σ is a root to the last bit
+      sigma *= 1 + 4 * epsilon;
+      continue;
+    }
+    x = orthonormal(AnyMatrix(y.colwise().normalized()));
+    const AnyMatrix a = x.adjoint() * (pair.value * x);
+    const AnyMatrix b = x.adjoint() * (pair.slope * x);
+    const auto as_complex = [](const AnyMatrix& m) { return ComplexMatrix((0.5 * (m + m.adjoint())).template cast<Complex>()); };
+    const double direction = h.second_order() ? 1 : -1;  // H(σ + δ) = H(σ) ∓ δ·slope to first order
+    roots = self_adjoint_pencil(direction * as_complex(a), as_complex(b));
+    double mean = 0;
+    for (const PencilRoot& r : roots) {
+      if (r.value.imag() != 0 || !(std::abs(r.value.real()) <= reach + 4 * epsilon * sigma)) return false;
+      mean += r.value.real() / static_cast<double>(roots.size());
+    }
+    const double change = largest_step(roots);
+    if (change <= 4 * epsilon * sigma || (group.size() > 1 && step > 1) || !(change < 0.5 * previous)) break;
+    previous = change;
+    sigma += mean;
+    for (PencilRoot& r : roots) r.value -= mean;
+    if (!(std::abs(sigma - start) <= reach + 4 * epsilon * start)) return false;
+  }
+  if (roots.size() != group.size()) return false;
+  std::sort(roots.begin(), roots.end(), [](const PencilRoot& p, const PencilRoot& q) { return p.value.real() < q.value.real(); });
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    s.omega(group[k]) = sigma + roots[k].value.real();
+    const Eigen::Matrix<typename AnyMatrix::Scalar, Eigen::Dynamic, 1> shape = x * coefficients(roots[k].y, AnyMatrix());
+    stored(s, group[k], shape);
+  }
+  return true;
+}
+
+// Where first order fails, near a defective root: the shape alone, as the null vector of H at the root as it is. The smallest eigenvalue of H is
+// quadratic in the distance from a defective root, so its residual is at rounding although ω has half the digits.
+template <class AnyMatrix>
+bool refine_shapes(const Impedance& h, Spectrum& s, const std::vector<Index>& group) {
+  bool changed = false;
+  for (const Index i : group) {
+    AnyMatrix x = taken(s, {i}, AnyMatrix());
+    x.normalize();
+    const auto pair = at(h, s.omega(i), x);
+    const auto factor = lapack::factor_indefinite(pair.value);
+    const double before = (pair.value * x).norm();
+    AnyMatrix y = x;
+    for (int step = 0; step < 2; ++step) {
+      y = lapack::solve(factor, y);
+      if (!y.allFinite()) break;
+      y.normalize();
+    }
+    if (!y.allFinite() || !((pair.value * y).norm() < before)) continue;
+    const Eigen::Matrix<typename AnyMatrix::Scalar, Eigen::Dynamic, 1> shape = y;
+    stored(s, i, shape);
+    changed = true;
+  }
+  return changed;
+}
+
+}  // namespace
+
+bool refine(const Impedance& h, Spectrum& s, const std::vector<Index>& group, double reach) {
+  if (h.quadrature()) return refine_group<Matrix>(h, s, group, reach) || refine_shapes<Matrix>(h, s, group);
+  return refine_group<ComplexMatrix>(h, s, group, reach) || refine_shapes<ComplexMatrix>(h, s, group);
+}
+
+}  // namespace gyromode::dense
