@@ -22,4 +22,18 @@ struct Machine {
 
 Machine this_machine();
 
+/// How much of the machine's processors others used since construction, from /proc/stat and getrusage: 0 quiet, 1 all of it.
+class Others {
+ public:
+  Others();
+  double share() const;
+
+ private:
+  struct Seconds {
+    double busy, own, wall;
+  };
+  static Seconds now();
+  Seconds start_;
+};
+
 }  // namespace gyromode::bench

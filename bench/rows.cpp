@@ -1,5 +1,6 @@
 #include "rows.h"
 
+#include "machine.h"
 #include "process.h"
 #include "rivals.h"
 #include "systems.h"
@@ -63,8 +64,15 @@ Matrix w_matrix(const System& system, const Component& component) {
   return w;
 }
 
+Row timed(std::string key, std::string title, const std::vector<Contestant>& contestants, int rounds) {
+  const Others others;
+  Row row{std::move(key), std::move(title), {}, 0, interleaved(contestants, rounds)};
+  row.others = others.share();
+  return row;
+}
+
 Row timed(std::string key, std::string title, const std::vector<Contestant>& contestants, const Ours& ours, int rounds) {
-  Row row{std::move(key), std::move(title), {}, interleaved(contestants, rounds)};
+  Row row = timed(std::move(key), std::move(title), contestants, rounds);
   row.path = ours.path;
   return row;
 }
@@ -142,11 +150,10 @@ std::vector<Row> process_rows(const RowOptions& options) {
   const auto started = [](const char* name, std::vector<std::string> command) {
     return Contestant{name, fmt::format("{}", fmt::join(command, " ")), {}, [command] { run_to_end(command); }};
   };
-  Row row{"e", "a process from start to end, 6 coordinates", {}, {}};
-  row.timings = interleaved({started("gyromode modes", {options.program.string(), "modes", options.model.string()}),
-                             started("gyromode --version", {options.program.string(), "--version"}), started("true", {"/bin/true"})},
-                            options.process_rounds);
-  return {row};
+  return {timed("e", "a process from start to end, 6 coordinates",
+                {started("gyromode modes", {options.program.string(), "modes", options.model.string()}),
+                 started("gyromode --version", {options.program.string(), "--version"}), started("true", {"/bin/true"})},
+                options.process_rounds)};
 }
 
 }  // namespace gyromode::bench

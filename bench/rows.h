@@ -16,6 +16,7 @@ struct Row {
   std::string key;    ///< "a" … "e"
   std::string title;  ///< the system and its order
   std::string path;   ///< what gyromode says of the solver it took
+  double others = 0;  ///< share of the processors that other processes used meanwhile: what to distrust a row for
   std::vector<Timing> timings;
 };
 

@@ -73,26 +73,35 @@ void sort_by_frequency(dense::Spectrum& s, Assessment& a) {
   s.im = Matrix(s.im(Eigen::all, order));
 }
 
-}  // namespace
+Functional functional(const Impedance& h, const dense::Spectrum& s, const Products& p, Index i) {
+  const double k = h.second_order() ? form_of(s, p.k_re, p.k_im, i) : 0;
+  return {form_of(s, p.m_re, p.m_im, i), form_of(s, p.g_re, p.g_im, i), k, h.second_order()};
+}
 
-Assessment assess(const Impedance& h, dense::Spectrum& s) {
+Assessment measured(const Impedance& h, dense::Spectrum& s, const Products& p) {
   const Index m = s.omega.size();
   Assessment a{Vector(m), Vector(m), Vector(m), Vector(m)};
-  const Products p = products(h, s);
   for (Index i = 0; i < m; ++i) {
-    const double k = h.second_order() ? form_of(s, p.k_re, p.k_im, i) : 0;
-    const Functional f{form_of(s, p.m_re, p.m_im, i), form_of(s, p.g_re, p.g_im, i), k, h.second_order()};
-    s.omega(i) = f.corrected(s.omega(i));
     const double omega = s.omega(i);
     const double length2 = s.re.col(i).squaredNorm() + s.im.col(i).squaredNorm();
     const double scale = h.scale(omega);
     a.residual(i) = residual_norm(h, p, omega, i) / (scale * std::sqrt(length2));
-    a.form(i) = f.slope(omega) / length2;
+    a.form(i) = functional(h, s, p, i).slope(omega) / length2;
     a.sensitivity(i) = scale / std::abs(a.form(i));
     a.error_bound(i) = (a.residual(i) + epsilon) * a.sensitivity(i);
   }
   sort_by_frequency(s, a);
   return a;
 }
+
+}  // namespace
+
+Assessment assess(const Impedance& h, dense::Spectrum& s) {
+  const Products p = products(h, s);
+  for (Index i = 0; i < s.omega.size(); ++i) s.omega(i) = functional(h, s, p, i).corrected(s.omega(i));
+  return measured(h, s, p);
+}
+
+Assessment measure(const Impedance& h, dense::Spectrum& s) { return measured(h, s, products(h, s)); }
 
 }  // namespace gyromode

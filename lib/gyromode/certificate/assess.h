@@ -16,4 +16,7 @@ struct Assessment {
 /// is a correction and no jump; then measures. `s` stays sorted.
 Assessment assess(const Impedance& h, dense::Spectrum& s);
 
+/// Measures `s` as it stands, sorting it.
+Assessment measure(const Impedance& h, dense::Spectrum& s);
+
 }  // namespace gyromode

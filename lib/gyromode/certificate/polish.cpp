@@ -43,7 +43,7 @@ void polish(const Impedance& h, dense::Spectrum& s, Assessment& a, Index most) {
     reach += s.omega(group.back()) - s.omega(group.front());
     changed = dense::refine(h, s, group, reach) || changed;
   }
-  if (changed) a = assess(h, s);
+  if (changed) a = measure(h, s);
 }
 
 }  // namespace gyromode

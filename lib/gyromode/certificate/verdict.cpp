@@ -1,5 +1,8 @@
 #include "gyromode/certificate/verdict.h"
 
+#include "gyromode/certificate/polish.h"
+#include "gyromode/dense/refine_unstable.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -33,24 +36,51 @@ void return_to_axis(dense::Spectrum& s, Index k) {
   }
 }
 
-// Flutter whose growth rate a backward error could undo. Returns whether there was any.
-bool return_undecided_flutter(const Impedance& h, dense::Spectrum& s, Assessment& a) {
-  bool any = false;
-  for (std::size_t k = 0; k < s.flutter.size();) {
-    if (s.flutter[k].real() > s.flutter_uncertainty[k]) {
-      ++k;
+// Growth rates so far from the axis that no backward error brings them back to it are left as the solver found them; the rest are refined on the
+// matrices as given. Returns how far a backward error moves each flutter root.
+std::vector<double> refine_weak_roots(const Impedance& h, dense::Spectrum& s) {
+  constexpr double strong = 1e-2;
+  constexpr Index small = 64;  // here every root is refined: it costs next to nothing
+  double largest = s.omega.size() > 0 ? s.omega(s.omega.size() - 1) : 0;
+  for (const Complex& z : s.flutter) largest = std::max(largest, std::abs(z));
+  for (const double sigma : s.divergence) largest = std::max(largest, sigma);
+  for (double& sigma : s.divergence) {
+    if (s.size() <= small || sigma < strong * largest) sigma = dense::refine_unstable(h, sigma).lambda.real();
+  }
+  std::vector<double> movement;
+  for (std::size_t k = 0; k < s.flutter.size(); ++k) {
+    if (s.size() > small && s.flutter[k].real() >= strong * largest) {
+      movement.push_back(0);
       continue;
     }
-    any = true;
-    return_to_axis(s, static_cast<Index>(k));
-    s.flutter.erase(s.flutter.begin() + static_cast<std::ptrdiff_t>(k));
-    s.flutter_uncertainty.erase(s.flutter_uncertainty.begin() + static_cast<std::ptrdiff_t>(k));
-    const Index last = s.flutter_shapes.cols() - 1;
-    for (Index c = static_cast<Index>(k); c < last; ++c) s.flutter_shapes.col(c) = s.flutter_shapes.col(c + 1).eval();
-    s.flutter_shapes.conservativeResize(Eigen::NoChange, last);
+    const dense::UnstableRoot root = dense::refine_unstable(h, s.flutter[k]);
+    movement.push_back(backward_error(s.size()) * root.sensitivity);
+    if (!(std::abs(root.lambda.real()) > 0) || !root.shape.allFinite() || root.shape.isZero(0)) continue;
+    s.flutter[k] = Complex(std::abs(root.lambda.real()), std::abs(root.lambda.imag()));
+    if (root.lambda.real() > 0) s.flutter_shapes.col(static_cast<Index>(k)) = root.shape;
   }
-  if (any) a = assess(h, s);
-  return any;
+  return movement;
+}
+
+// Flutter whose growth rate a backward error could undo goes back to the axis. Returns whether there was any.
+bool return_undecided_flutter(const Impedance& h, dense::Spectrum& s, Assessment& a) {
+  const std::vector<double> movement = refine_weak_roots(h, s);
+  std::vector<Complex> decided;
+  std::vector<Index> columns;
+  for (std::size_t k = 0; k < movement.size(); ++k) {
+    if (s.flutter[k].real() > movement[k]) {
+      decided.push_back(s.flutter[k]);
+      columns.push_back(static_cast<Index>(k));
+    } else {
+      return_to_axis(s, static_cast<Index>(k));
+    }
+  }
+  if (decided.size() == s.flutter.size()) return false;
+  s.flutter = std::move(decided);
+  s.flutter_shapes = ComplexMatrix(s.flutter_shapes(Eigen::all, columns));
+  a = measure(h, s);
+  polish(h, s, a);
+  return true;
 }
 
 struct Signs {

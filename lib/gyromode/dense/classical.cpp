@@ -90,7 +90,6 @@ void solve_companion(const SecondOrder& m, Spectrum& s) {
   s.omega = std::move(modes.omega);
   s.divergence = std::move(modes.divergence);
   s.flutter = std::move(modes.flutter);
-  s.flutter_uncertainty = std::move(modes.flutter_uncertainty);
   s.flutter_shapes = std::move(modes.flutter_shapes);
   s.re = modes.shapes.real();
   s.im = modes.shapes.imag();

@@ -61,6 +61,20 @@ Matrix Impedance::real_slope_at(double omega) const { return second_order_ ? sta
 ComplexMatrix Impedance::complex_at(double omega) const { return second_order_ ? hermitian(1, -omega * omega, omega) : hermitian(0, omega, -1); }
 ComplexMatrix Impedance::complex_slope_at(double omega) const { return second_order_ ? hermitian(0, 2 * omega, -1) : hermitian(0, 1, 0); }
 
+ComplexMatrix Impedance::combined(Complex on_k, Complex on_g, Complex on_m) const {
+  if (!quadrature()) return on_k * k_rr_ + on_g * g_ri_ + on_m * m_rr_;
+  const Index r = n_ - split_;
+  ComplexMatrix a(n_, n_);
+  a.topLeftCorner(split_, split_) = on_k * k_rr_ + on_m * m_rr_;
+  a.bottomRightCorner(r, r) = on_k * k_ii_ + on_m * m_ii_;
+  a.topRightCorner(split_, r) = on_g * g_ri_;
+  a.bottomLeftCorner(r, split_) = -on_g * g_ri_.transpose();
+  return a;
+}
+
+ComplexMatrix Impedance::characteristic_at(Complex lambda) const { return combined(1, lambda, lambda * lambda); }
+ComplexMatrix Impedance::characteristic_slope_at(Complex lambda) const { return combined(0, 1, 2.0 * lambda); }
+
 ComplexMatrix Impedance::form(const ComplexMatrix& x, double omega) const {
   if (!quadrature()) return x.adjoint() * (complex_slope_at(omega) * x);
   ComplexMatrix star = x;  // X* = T⁻¹X

@@ -25,6 +25,10 @@ class Impedance {
   ComplexMatrix complex_at(double omega) const;
   ComplexMatrix complex_slope_at(double omega) const;
 
+  /// N(λ) = K + λG + λ²M and N′(λ) = G + 2λM, complex, second order only.
+  ComplexMatrix characteristic_at(Complex lambda) const;
+  ComplexMatrix characteristic_slope_at(Complex lambda) const;
+
   /// Xᴴ H′(ω) X with H′ the slope above, for any complex shapes X (n × c) in the order of the Spectrum; Hermitian c × c.
   ComplexMatrix form(const ComplexMatrix& x, double omega) const;
 
@@ -45,6 +49,7 @@ class Impedance {
  private:
   Matrix star(double on_k, double on_m, double on_g) const;
   ComplexMatrix hermitian(double on_k, double on_m, double on_g) const;
+  ComplexMatrix combined(Complex on_k, Complex on_g, Complex on_m) const;
   void take(const Matrix& mass, const Matrix& gyroscopic, const Matrix* stiffness, const dense::Spectrum& s);
 
   Index n_ = 0;

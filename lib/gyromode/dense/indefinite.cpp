@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace gyromode::dense {
@@ -178,8 +177,6 @@ IndefiniteModes collected(Index n, const std::vector<Root>& roots, double gamma)
       modes.divergence.push_back(r.lambda.real() * gamma);
     } else {
       modes.flutter.push_back(r.lambda * gamma);
-      // 𝓔 and 𝒮 are of order one in units of γ: |δλ| ≤ η/|w₋ᴴ𝒮w|.
-      modes.flutter_uncertainty.push_back(4 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * gamma / r.form);
       modes.flutter_shapes.conservativeResize(n, modes.flutter_shapes.cols() + 1);
       modes.flutter_shapes.rightCols(1) = r.w.head(n);
     }

@@ -12,7 +12,6 @@ struct IndefiniteModes {
   ComplexMatrix shapes;              ///< n × m
   std::vector<double> divergence;    ///< σ > 0 of pairs ±σ
   std::vector<Complex> flutter;      ///< σ + jω, σ, ω > 0, of quadruples ±σ ± jω
-  std::vector<double> flutter_uncertainty;  ///< how far a backward error of 4 n ε moves each flutter root, to first order
   ComplexMatrix flutter_shapes;             ///< n × quadruples
 };
 

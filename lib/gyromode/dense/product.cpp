@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace gyromode::dense {
@@ -132,9 +131,6 @@ QuadratureModes collected(const QuadratureForm& form, std::vector<Root> roots) {
     if (root.mu.imag() > 0) {  // λ = ±j√μ, and the conjugates from μ̄: one quadruple
       const Complex frequency = std::sqrt(root.mu);
       modes.flutter.emplace_back(std::abs(frequency.imag()), std::abs(frequency.real()));
-      // E_u P and E_u are of order one here: |δμ| ≤ η/|uᵀE_u u|, and δλ = δμ/2λ.
-      const double eta = 4 * static_cast<double>(p + r) * std::numeric_limits<double>::epsilon();
-      modes.flutter_uncertainty.push_back(eta / (std::abs(root.form) * 2 * std::abs(frequency)));
       ComplexVector shape = root.u;  // (x, ẏ), ẏ = λy with λ² = −μ
       shape.tail(r) /= Complex(0, 1) * frequency;
       modes.flutter_shapes.conservativeResize(p + r, modes.flutter_shapes.cols() + 1);
@@ -221,7 +217,6 @@ QuadratureModes in_units_of(double gamma, QuadratureModes modes) {
   modes.omega *= gamma;
   for (double& sigma : modes.divergence) sigma *= gamma;
   for (Complex& lambda : modes.flutter) lambda *= gamma;
-  for (double& delta : modes.flutter_uncertainty) delta *= gamma;
   return modes;
 }
 

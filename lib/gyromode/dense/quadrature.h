@@ -25,7 +25,6 @@ struct QuadratureModes {
   Matrix x, y;
   std::vector<double> divergence;  ///< σ > 0 of pairs ±σ
   std::vector<Complex> flutter;    ///< σ + jω, σ, ω > 0, of quadruples
-  std::vector<double> flutter_uncertainty;  ///< how far a backward error of 4 n ε moves each flutter root, to first order
   ComplexMatrix flutter_shapes;             ///< n × quadruples: (x, ẏ/λ) of X e^{λt}
   std::string path;
 };

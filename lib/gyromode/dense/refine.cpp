@@ -4,6 +4,7 @@
 #include "gyromode/lapack/indefinite.h"
 
 #include <Eigen/QR>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,38 @@ Vector coefficients(const ComplexVector& y, const Matrix&) {
 }
 ComplexVector coefficients(const ComplexVector& y, const ComplexMatrix&) { return y; }
 
+// xᴴMx.
+double mass_of(const Impedance& h, const ComplexMatrix& x) {
+  const Matrix re = x.real();
+  const Matrix im = x.imag();
+  return (re.transpose() * h.mass_rr() * re).value() + (im.transpose() * h.mass_rr() * im).value();
+}
+double mass_of(const Impedance& h, const Matrix& x) {
+  const Index p = h.mass_rr().rows();
+  const Vector first = x.col(0).head(p);
+  const Vector second = x.col(0).tail(x.rows() - p);
+  return first.dot(h.mass_rr() * first) + second.dot(h.mass_ii() * second);
+}
+
+// The smaller root δ of a − δb − δ²m = xᴴH(σ + δ)x = 0. Near a defective root b is small and the quadratic term counts; where the discriminant is negative the
+// roots of the functional are complex, and nothing real can be said.
+Complex quadratic_step(double a, double b, double m) {
+  const double discriminant = b * b + 4 * m * a;
+  if (discriminant < 0) return {0, 1};
+  const double sum = b + std::copysign(std::sqrt(discriminant), b);
+  return sum == 0 ? 0 : 2 * a / sum;
+}
+
+template <class AnyMatrix>
+double worst_residual(const Impedance& h, const Spectrum& s, const std::vector<Index>& group) {
+  double worst = 0;
+  for (const Index i : group) {
+    const AnyMatrix x = taken(s, {i}, AnyMatrix());
+    worst = std::max(worst, (at(h, s.omega(i), x).value * x).norm() / (h.scale(s.omega(i)) * x.norm()));
+  }
+  return worst;
+}
+
 template <class AnyMatrix>
 bool refine_group(const Impedance& h, Spectrum& s, const std::vector<Index>& group, double reach) {
   constexpr int most_steps = 5;
@@ -89,6 +122,7 @@ bool refine_group(const Impedance& h, Spectrum& s, const std::vector<Index>& gro
     const auto as_complex = [](const AnyMatrix& m) { return ComplexMatrix((0.5 * (m + m.adjoint())).template cast<Complex>()); };
     const double direction = h.second_order() ? 1 : -1;  // H(σ + δ) = H(σ) ∓ δ·slope to first order
     roots = self_adjoint_pencil(direction * as_complex(a), as_complex(b));
+    if (group.size() == 1 && h.second_order()) roots[0].value = quadratic_step(std::real(a(0, 0)), std::real(b(0, 0)), mass_of(h, x));
     double mean = 0;
     for (const PencilRoot& r : roots) {
       if (r.value.imag() != 0 || !(std::abs(r.value.real()) <= reach + 4 * epsilon * sigma)) return false;
@@ -103,12 +137,16 @@ bool refine_group(const Impedance& h, Spectrum& s, const std::vector<Index>& gro
   }
   if (roots.size() != group.size()) return false;
   std::sort(roots.begin(), roots.end(), [](const PencilRoot& p, const PencilRoot& q) { return p.value.real() < q.value.real(); });
+  const double before = worst_residual<AnyMatrix>(h, s, group);
+  const Spectrum kept = s;
   for (std::size_t k = 0; k < group.size(); ++k) {
     s.omega(group[k]) = sigma + roots[k].value.real();
     const Eigen::Matrix<typename AnyMatrix::Scalar, Eigen::Dynamic, 1> shape = x * coefficients(roots[k].y, AnyMatrix());
     stored(s, group[k], shape);
   }
-  return true;
+  if (worst_residual<AnyMatrix>(h, s, group) < before) return true;
+  s = kept;
+  return false;
 }
 
 // Where first order fails, near a defective root: the shape alone, as the null vector of H at the root as it is. The smallest eigenvalue of H is
@@ -136,11 +174,39 @@ bool refine_shapes(const Impedance& h, Spectrum& s, const std::vector<Index>& gr
   return changed;
 }
 
+// Nearly parallel shapes at close roots are a nearly defective pair: its shapes do not span the group, and each root is followed alone, no farther than
+// a part of the way to its neighbour.
+template <class AnyMatrix>
+bool parallel(const Spectrum& s, const std::vector<Index>& group) {
+  constexpr double limit = 1e-2;
+  const AnyMatrix x = taken(s, group, AnyMatrix()).colwise().normalized();
+  const Eigen::JacobiSVD<AnyMatrix> svd(x);
+  return svd.singularValues()(svd.singularValues().size() - 1) < limit;
+}
+
+template <class AnyMatrix>
+bool refine_each(const Impedance& h, Spectrum& s, const std::vector<Index>& group, double reach) {
+  bool changed = false;
+  for (const Index i : group) {
+    double room = reach;
+    if (i > 0) room = std::min(room, 0.4 * (s.omega(i) - s.omega(i - 1)));
+    if (i + 1 < s.omega.size()) room = std::min(room, 0.4 * (s.omega(i + 1) - s.omega(i)));
+    changed = refine_group<AnyMatrix>(h, s, {i}, room) || changed;
+    changed = refine_shapes<AnyMatrix>(h, s, {i}) || changed;  // ω is not known better than the form allows; its null vector is
+  }
+  return changed;
+}
+
+template <class AnyMatrix>
+bool refined(const Impedance& h, Spectrum& s, const std::vector<Index>& group, double reach) {
+  if (group.size() > 1 && parallel<AnyMatrix>(s, group)) return refine_each<AnyMatrix>(h, s, group, reach);
+  return refine_group<AnyMatrix>(h, s, group, reach) || refine_shapes<AnyMatrix>(h, s, group);
+}
+
 }  // namespace
 
 bool refine(const Impedance& h, Spectrum& s, const std::vector<Index>& group, double reach) {
-  if (h.quadrature()) return refine_group<Matrix>(h, s, group, reach) || refine_shapes<Matrix>(h, s, group);
-  return refine_group<ComplexMatrix>(h, s, group, reach) || refine_shapes<ComplexMatrix>(h, s, group);
+  return h.quadrature() ? refined<Matrix>(h, s, group, reach) : refined<ComplexMatrix>(h, s, group, reach);
 }
 
 }  // namespace gyromode::dense

@@ -31,7 +31,6 @@ void store_roots(Modes& modes, Spectrum& s) {
   s.omega = std::move(modes.omega);
   s.divergence = std::move(modes.divergence);
   s.flutter = std::move(modes.flutter);
-  s.flutter_uncertainty = std::move(modes.flutter_uncertainty);
   s.flutter_shapes = std::move(modes.flutter_shapes);
 }
 

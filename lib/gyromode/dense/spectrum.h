@@ -30,8 +30,7 @@ struct Spectrum {
   Matrix zero_shapes;              ///< n × zero_pairs, real: one column a pair of zero roots (a zero root, in first order)
   std::vector<double> divergence;  ///< σ > 0 of real pairs ±σ
   std::vector<Complex> flutter;    ///< σ + jω, σ, ω > 0, of quadruples
-  std::vector<double> flutter_uncertainty;  ///< how far a backward error of 4 n ε moves each flutter root, to first order
-  ComplexMatrix flutter_shapes;             ///< n × quadruples: X of X e^{λt}
+  ComplexMatrix flutter_shapes;    ///< n × quadruples: X of X e^{λt}
 
   Index stiffness_negative = 0;  ///< n₋(K)
   Index stiffness_zero = 0;      ///< dim null(K)
