@@ -368,6 +368,9 @@ TEST(Indefinite, TwoByTwoPivots) {
   const Vector d = pivot_values(factor_indefinite(Matrix{{1e-20, 1}, {1, 0.5}}));  // λ² − λ/2 − 1 = 0
   EXPECT_NEAR(d(0), 0.25 + std::sqrt(1.0625), 4 * epsilon);
   EXPECT_NEAR(d(1), 0.25 - std::sqrt(1.0625), 4 * epsilon);
+  const Vector e = pivot_values(factor_indefinite(Matrix{{0, 1, 0}, {1, -1e8, 1e9}, {0, 1e9, 0}}));  // first block [0 1; 1 −1e8]
+  EXPECT_NEAR(e(0), -1e8, 1e8 * epsilon);
+  EXPECT_NEAR(e(1), 1e-8, 1e-8 * 4 * epsilon);
   const Vector zero = pivot_values(factor_indefinite(Matrix{{1, 1}, {1, 1}}));
   EXPECT_TRUE(zero == Vector(Eigen::Vector2d(1, 0)));
   EXPECT_EQ(pivot_values(factor_indefinite(Matrix(0, 0))).size(), 0);

@@ -36,16 +36,40 @@ void return_to_axis(dense::Spectrum& s, Index k) {
   }
 }
 
+// Every root with Re λ ≥ 0, Im λ ≥ 0.
+std::vector<Complex> all_roots(const dense::Spectrum& s) {
+  std::vector<Complex> roots;
+  for (const double w : s.omega) roots.emplace_back(0, w);
+  roots.insert(roots.end(), s.divergence.begin(), s.divergence.end());
+  roots.insert(roots.end(), s.flutter.begin(), s.flutter.end());
+  return roots;
+}
+
+// How far a root may move and still be itself: a third of the way to any other root or mirror image of one, and a tenth of its size.
+double room_around(Complex lambda, const std::vector<Complex>& roots, std::size_t self) {
+  double room = 0.1 * std::abs(lambda);
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    const Complex z = roots[k];
+    for (const Complex image : {z, std::conj(z), -z, -std::conj(z)}) {
+      if (k == self && (image == lambda || std::abs(image - lambda) > 0.5 * std::abs(lambda))) continue;
+      room = std::min(room, std::abs(image - lambda) / 3);
+    }
+  }
+  return room;
+}
+
 // Growth rates so far from the axis that no backward error brings them back to it are left as the solver found them; the rest are refined on the
 // matrices as given. Returns how far a backward error moves each flutter root.
 std::vector<double> refine_weak_roots(const Impedance& h, dense::Spectrum& s) {
   constexpr double strong = 1e-2;
   constexpr Index small = 64;  // here every root is refined: it costs next to nothing
-  double largest = s.omega.size() > 0 ? s.omega(s.omega.size() - 1) : 0;
-  for (const Complex& z : s.flutter) largest = std::max(largest, std::abs(z));
-  for (const double sigma : s.divergence) largest = std::max(largest, sigma);
-  for (double& sigma : s.divergence) {
-    if (s.size() <= small || sigma < strong * largest) sigma = dense::refine_unstable(h, sigma).lambda.real();
+  const std::vector<Complex> roots = all_roots(s);
+  double largest = 0;
+  for (const Complex& z : roots) largest = std::max(largest, std::abs(z));
+  const std::size_t first_real = static_cast<std::size_t>(s.omega.size());
+  for (std::size_t k = 0; k < s.divergence.size(); ++k) {
+    double& sigma = s.divergence[k];
+    if (s.size() <= small || sigma < strong * largest) sigma = dense::refine_unstable(h, sigma, room_around(sigma, roots, first_real + k)).lambda.real();
   }
   std::vector<double> movement;
   for (std::size_t k = 0; k < s.flutter.size(); ++k) {
@@ -53,11 +77,12 @@ std::vector<double> refine_weak_roots(const Impedance& h, dense::Spectrum& s) {
       movement.push_back(0);
       continue;
     }
-    const dense::UnstableRoot root = dense::refine_unstable(h, s.flutter[k]);
+    const double room = room_around(s.flutter[k], roots, first_real + s.divergence.size() + k);
+    const dense::UnstableRoot root = dense::refine_unstable(h, s.flutter[k], room);
     movement.push_back(backward_error(s.size()) * root.sensitivity);
-    if (!(std::abs(root.lambda.real()) > 0) || !root.shape.allFinite() || root.shape.isZero(0)) continue;
-    s.flutter[k] = Complex(std::abs(root.lambda.real()), std::abs(root.lambda.imag()));
-    if (root.lambda.real() > 0) s.flutter_shapes.col(static_cast<Index>(k)) = root.shape;
+    if (!(root.lambda.real() > 0) || root.shape.isZero(0)) continue;
+    s.flutter[k] = Complex(root.lambda.real(), std::abs(root.lambda.imag()));
+    s.flutter_shapes.col(static_cast<Index>(k)) = root.shape;
   }
   return movement;
 }

@@ -3,6 +3,9 @@
 #include "gyromode/dense/solve.h"
 #include "gyromode/system/scale.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace gyromode {
 
 Impedance::Impedance(const System& system, const dense::Spectrum& s) : second_order_(true) {
@@ -31,6 +34,8 @@ void Impedance::take(const Matrix& mass, const Matrix& gyroscopic, const Matrix*
   norm_k_ = std::max(norm_k_, norm1(k_ii_));
   norm_g_ = std::max(norm_g_, norm1(Matrix(g_ri_.transpose())));
 }
+
+double Impedance::typical_frequency() const { return std::max(std::sqrt(norm_k_ / norm_m_), norm_g_ / norm_m_); }
 
 double Impedance::scale(double omega) const {
   return second_order_ ? norm_k_ + omega * (norm_g_ + omega * norm_m_) : omega * norm_m_ + norm_g_;
@@ -80,6 +85,10 @@ ComplexMatrix Impedance::form(const ComplexMatrix& x, double omega) const {
   ComplexMatrix star = x;  // X* = T⁻¹X
   star.bottomRows(n_ - split_) *= Complex(0, 1);
   return star.adjoint() * (real_slope_at(omega) * star);
+}
+
+Index Impedance::half_rank_of_gyroscopic() const {
+  return quadrature() ? clearly_negative(star(0, 0, -1)) : clearly_negative(hermitian(0, 0, -1));
 }
 
 Inertia Impedance::negative_at(double omega) const { return quadrature() ? inertia(real_at(omega)) : inertia(complex_at(omega)); }

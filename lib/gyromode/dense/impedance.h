@@ -32,8 +32,14 @@ class Impedance {
   /// Xᴴ H′(ω) X with H′ the slope above, for any complex shapes X (n × c) in the order of the Spectrum; Hermitian c × c.
   ComplexMatrix form(const ComplexMatrix& x, double omega) const;
 
+  /// First order only: n₋(H₁(0⁺)) = ½ rank G, from the pivots of −jG (its real form −B, −Bᵀ with a partition); those up to 8 n ε are zero.
+  Index half_rank_of_gyroscopic() const;
+
   /// n₋(H(ω)), ω > 0, from the real symmetric H* where there is a partition, else from the Hermitian H.
   Inertia negative_at(double omega) const;
+
+  /// A frequency of the size of the largest: max(√(‖K‖/‖M‖), ‖G‖/‖M‖).
+  double typical_frequency() const;
 
   /// ‖K‖ + ω‖G‖ + ω²‖M‖ in 1-norms (‖G‖ + ω‖I‖ in first order): what residuals are relative to.
   double scale(double omega) const;

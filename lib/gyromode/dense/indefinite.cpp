@@ -54,16 +54,38 @@ EvenPencil projected(const EvenPencil& p, const Matrix& v) {
   return {0.5 * (s - s.transpose()), 0.5 * (e + e.transpose())};
 }
 
+// Every root of the projection is near a plain one, jω ≈ λ.
+bool agrees(const std::vector<PencilRoot>& found, const ComplexVector& lambda) {
+  constexpr double near = 1e-3;
+  if (static_cast<Index>(found.size()) != lambda.size()) return false;
+  for (const PencilRoot& r : found) {
+    const Complex root(-r.value.imag(), r.value.real());
+    const auto distance = (lambda.array() - root).abs();
+    if (!(distance.minCoeff() <= near * std::abs(root))) return false;
+  }
+  return true;
+}
+
 // Roots of one group with Im λ > 0 that may meet on the axis: the Hermitian pencil of 𝓔 and −j𝒮 on their span.
-void resolve_group(const EvenPencil& p, const ComplexMatrix& vectors, std::vector<Root>& roots) {
+bool resolve_group(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& vectors, std::vector<Root>& roots) {
   const ComplexMatrix q = Eigen::HouseholderQR<ComplexMatrix>(vectors).householderQ() * ComplexMatrix::Identity(vectors.rows(), vectors.cols());
   ComplexMatrix a = q.adjoint() * times(p.e, q);
   ComplexMatrix b = Complex(0, -1) * (q.adjoint() * times(p.s, q));
   a = 0.5 * (a + a.adjoint().eval());
   b = 0.5 * (b + b.adjoint().eval());
-  for (const PencilRoot& r : self_adjoint_pencil(a, b)) {
+  const auto found = self_adjoint_pencil(a, b);
+  if (!agrees(found, lambda)) return false;
+  for (const PencilRoot& r : found) {
     if (r.value.imag() > 0) continue;  // ω and ω̄ are one quadruple: keep Re λ = −Im ω > 0
     roots.push_back({Complex(-r.value.imag(), r.value.real()), q * r.y, r.form});
+  }
+  return true;
+}
+
+// A group whose projection has lost its roots, as a defective one off the axis does: the plain roots, one of each quadruple.
+void keep_plain(const ComplexVector& lambda, const ComplexMatrix& vectors, std::vector<Root>& roots) {
+  for (Index k = 0; k < lambda.size(); ++k) {
+    if (lambda(k).real() > 0) roots.push_back({lambda(k), vectors.col(k), 0});
   }
 }
 
@@ -140,6 +162,7 @@ double gap_below(const ComplexVector& lambda, double limit) {
 std::vector<Root> roots_of(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w, int depth) {
   constexpr double small_ratio = 1e-2;
   constexpr int deepest = 12;
+  if (lambda.size() == 0) return {};
   const double largest = lambda.cwiseAbs().maxCoeff();
   const double limit = depth < deepest ? gap_below(lambda, small_ratio * largest) : 0;
   std::vector<Index> small, real, upper;
@@ -156,8 +179,13 @@ std::vector<Root> roots_of(const EvenPencil& p, const ComplexVector& lambda, con
   resolve_real(lambda, w, p, real, roots);
   for (const auto& group : paired_groups(p, lambda, w, upper)) {
     ComplexMatrix vectors(w.rows(), static_cast<Index>(group.size()));
-    for (std::size_t k = 0; k < group.size(); ++k) vectors.col(static_cast<Index>(k)) = w.col(upper[static_cast<std::size_t>(group[k])]);
-    resolve_group(p, vectors, roots);
+    ComplexVector values(vectors.cols());
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const Index i = upper[static_cast<std::size_t>(group[k])];
+      vectors.col(static_cast<Index>(k)) = w.col(i);
+      values(static_cast<Index>(k)) = lambda(i);
+    }
+    if (!resolve_group(p, values, vectors, roots)) keep_plain(values, vectors, roots);
   }
   if (small.size() % 2 == 0 && !small.empty()) {
     resolve_small(p, lambda, w, small, roots, depth);

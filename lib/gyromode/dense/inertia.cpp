@@ -21,7 +21,18 @@ Inertia by_pivots(const AnyMatrix& a) {
   return result;
 }
 
+template <class AnyMatrix>
+Index negative_pivots(const AnyMatrix& a) {
+  if (a.rows() == 0) return 0;
+  const Vector d = lapack::pivot_values(lapack::factor_indefinite(scaled(a, equilibrating_scale(a))));
+  const double threshold = 8 * static_cast<double>(a.rows()) * std::numeric_limits<double>::epsilon() * d.cwiseAbs().maxCoeff();
+  return (d.array() < -threshold).count();
+}
+
 }  // namespace
+
+Index clearly_negative(const Matrix& symmetric) { return negative_pivots(symmetric); }
+Index clearly_negative(const ComplexMatrix& hermitian) { return negative_pivots(hermitian); }
 
 bool Inertia::doubtful() const {
   const double n = static_cast<double>(negative + positive);

@@ -18,6 +18,10 @@ struct Inertia {
 
 /// The matrix is equilibrated by powers of two first (a congruence), so tiny diagonals and mixed units do no harm. LAPACK's dsytrf and zhetrf: a
 /// factorisation without 2 × 2 pivots returns wrong counts.
+/// Pivots below −8 n ε of the largest: n₋ of a matrix that may be singular, its zero eigenvalues left out as far as pivots tell.
+Index clearly_negative(const Matrix& symmetric);
+Index clearly_negative(const ComplexMatrix& hermitian);
+
 Inertia inertia(const Matrix& symmetric);
 Inertia inertia(const ComplexMatrix& hermitian);
 

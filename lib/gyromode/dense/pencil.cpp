@@ -56,7 +56,9 @@ ComplexVector paired(const ComplexVector& computed) {
 std::vector<PencilRoot> indefinite_pencil(const ComplexMatrix& a, const ComplexMatrix& b) {
   const Index n = a.rows();
   const Eigen::PartialPivLU<ComplexMatrix> lu(b);
-  const auto e = lapack::general_eigen(ComplexMatrix(lu.solve(a)));
+  const ComplexMatrix standard = lu.solve(a);
+  if (!standard.allFinite()) return {};
+  const auto e = lapack::general_eigen(standard);
   const ComplexVector values = paired(e.values);
   std::vector<PencilRoot> roots;
   for (Index k = 0; k < n; ++k) {

@@ -14,8 +14,8 @@ struct PencilRoot {
 };
 
 /// All roots of the c × c pencil. Where B is definite (its eigenvalues of one sign, condition below 1e7) all are real by construction and the vectors
-/// B-orthogonal, however close the roots are. Otherwise the eigenvalues of B⁻¹A, the imaginary parts kept. c roots are always returned; where B
-/// is exactly singular those that do not exist are infinite.
+/// B-orthogonal, however close the roots are. Otherwise the eigenvalues of B⁻¹A, the imaginary parts kept. Empty where B is singular to rounding:
+/// the group is defective, and nothing can be said from it.
 std::vector<PencilRoot> self_adjoint_pencil(const ComplexMatrix& a, const ComplexMatrix& b);
 
 }  // namespace gyromode::dense

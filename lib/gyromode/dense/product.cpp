@@ -72,11 +72,12 @@ Matrix real_basis(const ComplexMatrix& vectors, const ComplexVector& mu, const s
   return Eigen::HouseholderQR<Matrix>(span).householderQ() * Matrix::Identity(span.rows(), span.cols());
 }
 
-void resolve_group(const Product& p, const Matrix& basis, std::vector<Root>& roots) {
+bool resolve_group(const Product& p, const Matrix& basis, std::vector<Root>& roots) {
   const Matrix eu = lapack::multiply_tn(basis, lapack::multiply(p.eu, basis));
   const Matrix v = velocity(p, basis);
   const Matrix a = lapack::multiply_tn(v, lapack::multiply(p.ev, v));
-  for (const PencilRoot& r : self_adjoint_pencil(a.cast<Complex>(), eu.cast<Complex>())) {
+  const auto found = self_adjoint_pencil(a.cast<Complex>(), eu.cast<Complex>());
+  for (const PencilRoot& r : found) {
     ComplexVector u = basis * r.y;
     if (r.value.imag() == 0) {  // a real vector of the real pencil, up to a phase
       Index largest = 0;
@@ -86,6 +87,7 @@ void resolve_group(const Product& p, const Matrix& basis, std::vector<Root>& roo
     }
     roots.push_back({r.value, u, r.form});
   }
+  return !found.empty();
 }
 
 std::vector<Root> roots_of(const Product& p, const Matrix& product, int depth);
@@ -112,8 +114,8 @@ std::vector<Root> roots_of(const Product& p, const Matrix& product, int depth) {
     } else if (group.size() == 1) {
       const Vector u = e.vectors.col(group[0]).real();
       roots.push_back({e.values(group[0]), u.cast<Complex>(), u.dot(p.eu * u)});
-    } else {
-      resolve_group(p, real_basis(e.vectors, e.values, group), roots);
+    } else if (!resolve_group(p, real_basis(e.vectors, e.values, group), roots)) {
+      for (const Index i : group) roots.push_back({e.values(i), e.vectors.col(i), 0});  // defective: the plain roots
     }
   }
   if (!small.empty()) resolve_small(p, real_basis(e.vectors, e.values, small), roots, depth);

@@ -149,6 +149,24 @@ bool refine_group(const Impedance& h, Spectrum& s, const std::vector<Index>& gro
   return false;
 }
 
+template <class AnyMatrix>
+AnyMatrix inverse_iterated(const Impedance& h, double omega, const AnyMatrix& x) {
+  AnyMatrix y;
+  double nudge = 4 * std::numeric_limits<double>::epsilon();
+  for (int attempt = 0; attempt < 5; ++attempt) {  // where H is singular to the last bit, a neighbouring ω is factored
+    const auto factor = lapack::factor_indefinite(at(h, omega, x).value);
+    y = x;
+    for (int step = 0; step < 2 && y.allFinite(); ++step) {
+      y = lapack::solve(factor, y);
+      y.normalize();
+    }
+    if (y.allFinite()) break;
+    omega *= 1 + nudge;
+    nudge *= 8;
+  }
+  return y;
+}
+
 // Where first order fails, near a defective root: the shape alone, as the null vector of H at the root as it is. The smallest eigenvalue of H is
 // quadratic in the distance from a defective root, so its residual is at rounding although ω has half the digits.
 template <class AnyMatrix>
@@ -158,14 +176,8 @@ bool refine_shapes(const Impedance& h, Spectrum& s, const std::vector<Index>& gr
     AnyMatrix x = taken(s, {i}, AnyMatrix());
     x.normalize();
     const auto pair = at(h, s.omega(i), x);
-    const auto factor = lapack::factor_indefinite(pair.value);
     const double before = (pair.value * x).norm();
-    AnyMatrix y = x;
-    for (int step = 0; step < 2; ++step) {
-      y = lapack::solve(factor, y);
-      if (!y.allFinite()) break;
-      y.normalize();
-    }
+    const AnyMatrix y = inverse_iterated(h, s.omega(i), x);
     if (!y.allFinite() || !((pair.value * y).norm() < before)) continue;
     const Eigen::Matrix<typename AnyMatrix::Scalar, Eigen::Dynamic, 1> shape = y;
     stored(s, i, shape);
@@ -199,7 +211,7 @@ bool refine_each(const Impedance& h, Spectrum& s, const std::vector<Index>& grou
 
 template <class AnyMatrix>
 bool refined(const Impedance& h, Spectrum& s, const std::vector<Index>& group, double reach) {
-  if (group.size() > 1 && parallel<AnyMatrix>(s, group)) return refine_each<AnyMatrix>(h, s, group, reach);
+  if (group.size() == 1 || parallel<AnyMatrix>(s, group)) return refine_each<AnyMatrix>(h, s, group, reach);
   return refine_group<AnyMatrix>(h, s, group, reach) || refine_shapes<AnyMatrix>(h, s, group);
 }
 

@@ -30,28 +30,29 @@ NullPair null_vectors(const ComplexMatrix& n) {
 
 }  // namespace
 
-UnstableRoot refine_unstable(const Impedance& h, Complex lambda) {
-  constexpr int most_steps = 6;
+UnstableRoot refine_unstable(const Impedance& h, Complex lambda, double reach) {
+  constexpr int most_steps = 8;
   const double epsilon = std::numeric_limits<double>::epsilon();
   const bool real = lambda.imag() == 0;
   const Complex start = lambda;
-  UnstableRoot root{lambda, ComplexVector::Zero(h.size()), std::numeric_limits<double>::infinity()};
+  UnstableRoot first{start, ComplexVector::Zero(h.size()), std::numeric_limits<double>::infinity()};
   for (int step = 0; step < most_steps; ++step) {
-    ComplexMatrix n = h.characteristic_at(lambda);
-    NullPair v = null_vectors(n);
+    const ComplexMatrix n = h.characteristic_at(lambda);
+    const NullPair v = null_vectors(n);
     if (!v.right.allFinite() || !v.left.allFinite()) {  // singular to the last bit
       lambda *= 1 + 4 * epsilon;
       continue;
     }
     const Complex slope = v.left.dot(h.characteristic_slope_at(lambda) * v.right);
+    const UnstableRoot here{lambda, v.right, h.scale(std::abs(lambda)) / std::abs(slope)};
+    if (first.shape.isZero(0)) first = here;
     Complex change = -v.left.dot(n * v.right) / slope;
     if (real) change = change.real();
-    if (!(std::abs(lambda + change - start) <= 0.1 * std::abs(start))) break;
+    if (std::abs(change) <= 4 * epsilon * (std::abs(lambda) + here.sensitivity)) return here;
+    if (!(std::abs(lambda + change - start) <= reach)) break;
     lambda += change;
-    root = {lambda, v.right, h.scale(std::abs(lambda)) / std::abs(slope)};
-    if (std::abs(change) <= 2 * epsilon * std::abs(lambda)) break;
   }
-  return root;
+  return {start, first.shape, first.sensitivity};
 }
 
 }  // namespace gyromode::dense

@@ -12,7 +12,7 @@ struct UnstableRoot {
 };
 
 /// Two-sided Rayleigh quotient iteration, λ − YᴴN(λ)X / YᴴN′(λ)X with X and Y from inverse iteration on both sides, started at `lambda`. A real
-/// λ stays real. Where the iteration leaves the neighbourhood (10 % of |λ|), the start is returned with the sensitivity found there.
-UnstableRoot refine_unstable(const Impedance& h, Complex lambda);
+/// λ stays real. Where the iteration goes farther than `reach`, or does not settle, the start is returned with the sensitivity found there.
+UnstableRoot refine_unstable(const Impedance& h, Complex lambda, double reach);
 
 }  // namespace gyromode::dense

@@ -99,7 +99,7 @@ Inertia SolvedSystem::negative_at(double omega) const {
 Index SolvedSystem::negative_at_zero() const {
   Index sum = 0;
   for (const SolvedComponent& c : components) {
-    sum += first_order ? c.spectrum.omega.size() : c.spectrum.impedance_negative;
+    sum += first_order ? c.impedance.half_rank_of_gyroscopic() : c.spectrum.impedance_negative;
   }
   return sum;
 }

@@ -70,11 +70,29 @@ Endpoint lower_end(const SolvedSystem& s, double a) {
   return {i.negative, i.doubtful()};
 }
 
+// A shape and frequency that leave a residual far above rounding are no mode, whatever the counts say.
+std::optional<std::string> not_an_eigenpair(const SolvedSystem& s, const Frequencies& f, const Window& window) {
+  for (const auto& e : f.entries) {
+    if (e.position < 0 || !window.contains(e.omega)) continue;
+    const SolvedComponent& c = s.components[static_cast<std::size_t>(e.component)];
+    const double limit = 1e4 * static_cast<double>(std::max<Index>(c.spectrum.size(), 2)) * std::numeric_limits<double>::epsilon();
+    const double residual = c.assessment.residual(e.position);
+    if (!(residual <= limit)) return fmt::format("the root at ω = {:.6g} has the residual {:.2g}, above {:.2g}", e.omega, residual, limit);
+  }
+  return std::nullopt;
+}
+
+// A frequency above every mode found, or where none was found any that has the unit of the system.
+double above_all(const SolvedSystem& s, const Frequencies& f) {
+  if (!f.entries.empty() && f.entries.back().omega > 0) return 1.125 * f.entries.back().omega;
+  double typical = 0;
+  for (const SolvedComponent& c : s.components) typical = std::max(typical, c.impedance.typical_frequency());
+  return typical > 0 ? typical : 1;  // M alone: every ω is as good
+}
+
 // At an open end H(ω) is −ω²M, negative definite (ωI, positive definite, in first order); a factorisation just above the last mode shows that no mode is above it.
 Endpoint upper_end(const SolvedSystem& s, const Frequencies& f, double b) {
-  const double last = f.entries.empty() ? 0 : f.entries.back().omega;
-  const double above = last > 0 ? 1.125 * last : 1;
-  const Inertia i = s.negative_at(b == infinity ? above : b);
+  const Inertia i = s.negative_at(b == infinity ? above_all(s, f) : b);
   return {i.negative, i.doubtful()};
 }
 
@@ -123,6 +141,11 @@ Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& req
   const Endpoint high = upper_end(s, f, window.b);
   if (low.doubtful || high.doubtful) {
     c.reason = "an endpoint of the window is on a root to rounding: move it";
+    return c;
+  }
+  if (const auto doubt = not_an_eigenpair(s, f, window)) {
+    c.status = CoverageStatus::incomplete;
+    c.reason = *doubt;
     return c;
   }
   // In first order n₋(ωI − jG) falls from mode to mode; in second order it follows the energy signs.
