@@ -122,6 +122,7 @@ bool refine_group(const Impedance& h, Spectrum& s, const std::vector<Index>& gro
     const auto as_complex = [](const AnyMatrix& m) { return ComplexMatrix((0.5 * (m + m.adjoint())).template cast<Complex>()); };
     const double direction = h.second_order() ? 1 : -1;  // H(σ + δ) = H(σ) ∓ δ·slope to first order
     roots = self_adjoint_pencil(direction * as_complex(a), as_complex(b));
+    if (roots.size() != group.size()) return false;
     if (group.size() == 1 && h.second_order()) roots[0].value = quadratic_step(std::real(a(0, 0)), std::real(b(0, 0)), mass_of(h, x));
     double mean = 0;
     for (const PencilRoot& r : roots) {
