@@ -214,7 +214,7 @@ RandomSystem random_system(std::uint64_t seed) {
   const double pick = s.uniform();
   RandomSystem r = pick < 0.5 ? prescribed(s, n) : pick < 0.75 ? integral(s, n) : pick < 0.88 ? whirling(s, n) : at_threshold(s, n);
   permute(s, r);
-  static const double scales[] = {1e-9, 1, 1, 1e9};
+  static const double scales[] = {0x1p-30, 1, 1, 0x1p30};  // powers of two: what is exact stays exact
   const double unit = scales[s.integer(0, 3)];
   if (unit != 1) {
     r.mass *= unit;

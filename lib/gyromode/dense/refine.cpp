@@ -67,6 +67,31 @@ Vector coefficients(const ComplexVector& y, const Matrix&) {
 }
 ComplexVector coefficients(const ComplexVector& y, const ComplexMatrix&) { return y; }
 
+// A matrix that is singular to the last bit has no inverse to iterate with; one rounding error away it has.
+template <class AnyMatrix>
+AnyMatrix shifted_by_rounding(const AnyMatrix& h, int attempt) {
+  AnyMatrix shifted = h;
+  const double step = std::ldexp(std::numeric_limits<double>::epsilon(), 2 * attempt);
+  const Vector rows = h.cwiseAbs().rowwise().maxCoeff();
+  shifted.diagonal() += (step * rows).template cast<typename AnyMatrix::Scalar>();
+  return shifted;
+}
+
+template <class AnyMatrix>
+AnyMatrix inverse_iterated(const AnyMatrix& h, const AnyMatrix& x, int steps) {
+  AnyMatrix y = x;
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    const auto factor = lapack::factor_indefinite(attempt == 0 ? h : shifted_by_rounding(h, attempt));
+    y = x;
+    for (int step = 0; step < steps && y.allFinite(); ++step) {
+      y = lapack::solve(factor, y);
+      y.colwise().normalize();
+    }
+    if (y.allFinite()) break;
+  }
+  return y;
+}
+
 // xᴴMx.
 double mass_of(const Impedance& h, const ComplexMatrix& x) {
   const Matrix re = x.real();
@@ -111,12 +136,9 @@ bool refine_group(const Impedance& h, Spectrum& s, const std::vector<Index>& gro
   double previous = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_steps; ++step) {
     const auto pair = at(h, sigma, x);
-    const AnyMatrix y = lapack::solve(lapack::factor_indefinite(pair.value), AnyMatrix(pair.slope * x));
-    if (!y.allFinite()) {  // σ is a root to the last bit
-      sigma *= 1 + 4 * epsilon;
-      continue;
-    }
-    x = orthonormal(AnyMatrix(y.colwise().normalized()));
+    const AnyMatrix y = inverse_iterated(pair.value, AnyMatrix(pair.slope * x), 1);
+    if (!y.allFinite()) return false;
+    x = orthonormal(y);
     const AnyMatrix a = x.adjoint() * (pair.value * x);
     const AnyMatrix b = x.adjoint() * (pair.slope * x);
     const auto as_complex = [](const AnyMatrix& m) { return ComplexMatrix((0.5 * (m + m.adjoint())).template cast<Complex>()); };
@@ -150,24 +172,6 @@ bool refine_group(const Impedance& h, Spectrum& s, const std::vector<Index>& gro
   return false;
 }
 
-template <class AnyMatrix>
-AnyMatrix inverse_iterated(const Impedance& h, double omega, const AnyMatrix& x) {
-  AnyMatrix y;
-  double nudge = 4 * std::numeric_limits<double>::epsilon();
-  for (int attempt = 0; attempt < 5; ++attempt) {  // where H is singular to the last bit, a neighbouring ω is factored
-    const auto factor = lapack::factor_indefinite(at(h, omega, x).value);
-    y = x;
-    for (int step = 0; step < 2 && y.allFinite(); ++step) {
-      y = lapack::solve(factor, y);
-      y.normalize();
-    }
-    if (y.allFinite()) break;
-    omega *= 1 + nudge;
-    nudge *= 8;
-  }
-  return y;
-}
-
 // Where first order fails, near a defective root: the shape alone, as the null vector of H at the root as it is. The smallest eigenvalue of H is
 // quadratic in the distance from a defective root, so its residual is at rounding although ω has half the digits.
 template <class AnyMatrix>
@@ -178,7 +182,7 @@ bool refine_shapes(const Impedance& h, Spectrum& s, const std::vector<Index>& gr
     x.normalize();
     const auto pair = at(h, s.omega(i), x);
     const double before = (pair.value * x).norm();
-    const AnyMatrix y = inverse_iterated(h, s.omega(i), x);
+    const AnyMatrix y = inverse_iterated(pair.value, x, 2);
     if (!y.allFinite() || !((pair.value * y).norm() < before)) continue;
     const Eigen::Matrix<typename AnyMatrix::Scalar, Eigen::Dynamic, 1> shape = y;
     stored(s, i, shape);

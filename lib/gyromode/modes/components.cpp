@@ -54,6 +54,30 @@ SolvedSystem solved(const AnySystem& given, const StructureOptions& options, den
   return s;
 }
 
+struct SignedRoot {
+  double omega, movement;
+  int sign;
+};
+
+// Over all components: neighbours of opposite sign that a backward error of n ε makes coincide.
+bool opposite_roots_coincide(const SolvedSystem& s) {
+  std::vector<SignedRoot> roots;
+  const double eta = 4 * static_cast<double>(std::max<Index>(s.size, 2)) * std::numeric_limits<double>::epsilon();
+  for (const SolvedComponent& c : s.components) {
+    for (Index i = 0; i < c.spectrum.omega.size(); ++i) {
+      roots.push_back({c.spectrum.omega(i), eta * c.assessment.sensitivity(i), c.verdict.energy_sign[static_cast<std::size_t>(i)]});
+    }
+  }
+  std::sort(roots.begin(), roots.end(), [](const SignedRoot& a, const SignedRoot& b) { return a.omega < b.omega; });
+  for (std::size_t i = 0; i + 1 < roots.size(); ++i) {
+    for (std::size_t k = i + 1; k < roots.size(); ++k) {
+      if (roots[k].omega - roots[i].omega > roots[i].movement + roots[k].movement) break;
+      if (roots[i].sign * roots[k].sign < 0) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 SolvedSystem solve_components(const System& system, const StructureOptions& structure, dense::Method method) {
@@ -69,6 +93,7 @@ SolvedSystem solve_components(const FirstOrderSystem& system, const StructureOpt
 Stability SolvedSystem::stability() const {
   Stability worst = Stability::stable;
   for (const SolvedComponent& c : components) worst = std::max(worst, c.verdict.stability);
+  if (worst < Stability::marginal && opposite_roots_coincide(*this)) return Stability::marginal;
   return worst;
 }
 

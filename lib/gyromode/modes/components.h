@@ -23,6 +23,8 @@ struct SolvedSystem {
   bool first_order = false;
   std::vector<SolvedComponent> components;
 
+  /// The worst component's; marginal, too, where roots of opposite energy sign of two components that K does not hold coincide: the least coupling may make
+  /// them flutter.
   Stability stability() const;
   IndexBalance index_balance() const;
   Stiffness stiffness() const;
