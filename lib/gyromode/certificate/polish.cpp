@@ -35,15 +35,19 @@ std::vector<std::vector<Index>> poor_groups(const dense::Spectrum& s, const Asse
 
 void polish(const Impedance& h, dense::Spectrum& s, Assessment& a, Index most) {
   const double enough = 4 * static_cast<double>(std::max<Index>(s.size(), 2)) * std::numeric_limits<double>::epsilon();
-  bool changed = false;
-  for (const auto& group : poor_groups(s, a, enough)) {
-    if (most-- <= 0) break;
-    double reach = 0;
-    for (const Index i : group) reach = std::max(reach, 4 * a.error_bound(i));
-    reach += s.omega(group.back()) - s.omega(group.front());
-    changed = dense::refine(h, s, group, reach) || changed;
+  constexpr int rounds = 3;  // a refined neighbour shrinks its interval, and a group may fall apart into roots that can be told from each other
+  for (int round = 0; round < rounds; ++round) {
+    bool changed = false;
+    for (const auto& group : poor_groups(s, a, enough)) {
+      if (most-- <= 0) break;
+      double reach = 0;
+      for (const Index i : group) reach = std::max(reach, 4 * a.error_bound(i));
+      reach += s.omega(group.back()) - s.omega(group.front());
+      changed = dense::refine(h, s, group, reach) || changed;
+    }
+    if (!changed) return;
+    a = measure(h, s);
   }
-  if (changed) a = measure(h, s);
 }
 
 }  // namespace gyromode

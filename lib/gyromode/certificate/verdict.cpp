@@ -144,16 +144,20 @@ std::optional<Index> signature(const Impedance& h, const dense::Spectrum& s, Ind
   return (values.array() > 0).count() - (values.array() < 0).count();
 }
 
-// Positive minus negative roots in a cluster: n₋(H) across it, if no other root is touched.
+// Positive minus negative roots in a cluster: the change of n₋(H) across it, counted as near to it as the factorisations are sure, and no farther than
+// half way to the roots beside it.
 std::optional<Index> jump(const Impedance& h, const dense::Spectrum& s, const Assessment& a, Index first, Index last) {
-  const double below = s.omega(first) - 4 * movement(s, a, first);
-  const double above = s.omega(last) + 4 * movement(s, a, last);
-  if (first > 0 && s.omega(first - 1) + movement(s, a, first - 1) >= below) return std::nullopt;
-  if (last + 1 < s.omega.size() && s.omega(last + 1) - movement(s, a, last + 1) <= above) return std::nullopt;
-  const Inertia low = h.negative_at(below);
-  const Inertia high = h.negative_at(above);
-  if (low.doubtful() || high.doubtful()) return std::nullopt;
-  return high.negative - low.negative;
+  const double before = first > 0 ? s.omega(first - 1) + movement(s, a, first - 1) : 0;
+  const double after = last + 1 < s.omega.size() ? s.omega(last + 1) - movement(s, a, last + 1) : 2 * s.omega(last);
+  if (!(before < s.omega(first)) || !(after > s.omega(last))) return std::nullopt;
+  for (double factor = 4; factor <= 4096; factor *= 8) {
+    const double below = std::max(s.omega(first) - factor * movement(s, a, first), 0.5 * (before + s.omega(first)));
+    const double above = std::min(s.omega(last) + factor * movement(s, a, last), 0.5 * (after + s.omega(last)));
+    const Inertia low = h.negative_at(below);
+    const Inertia high = h.negative_at(above);
+    if (!low.doubtful() && !high.doubtful()) return high.negative - low.negative;
+  }
+  return std::nullopt;
 }
 
 // Signs of the roots of a cluster: `difference` = p − q of p positive and q negative ones. Pairs of opposite sign get 0 and 0.

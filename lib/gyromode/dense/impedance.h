@@ -32,7 +32,7 @@ class Impedance {
   /// Xᴴ H′(ω) X with H′ the slope above, for any complex shapes X (n × c) in the order of the Spectrum; Hermitian c × c.
   ComplexMatrix form(const ComplexMatrix& x, double omega) const;
 
-  /// First order only: n₋(H₁(0⁺)) = ½ rank G, from the pivots of −jG (its real form −B, −Bᵀ with a partition); those up to 8 n ε are zero.
+  /// First order only: n₋(H₁(0⁺)) = ½ rank G, from the eigenvalues of −jG (its real form −B, −Bᵀ with a partition); those up to 8 n ε of the largest are zero.
   Index half_rank_of_gyroscopic() const;
 
   /// n₋(H(ω)), ω > 0, from the real symmetric H* where there is a partition, else from the Hermitian H.

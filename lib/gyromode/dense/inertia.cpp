@@ -1,8 +1,10 @@
 #include "gyromode/dense/inertia.h"
 
 #include "gyromode/lapack/indefinite.h"
+#include "gyromode/lapack/symmetric.h"
 #include "gyromode/system/scale.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace gyromode {
@@ -12,27 +14,37 @@ namespace {
 template <class AnyMatrix>
 Inertia by_pivots(const AnyMatrix& a) {
   if (a.rows() == 0) return {};
-  const Vector d = lapack::pivot_values(lapack::factor_indefinite(scaled(a, equilibrating_scale(a))));
+  const AnyMatrix equilibrated = scaled(a, equilibrating_scale(a));
+  const auto factor = lapack::factor_indefinite(equilibrated);
+  const Vector d = lapack::pivot_values(factor);
   Inertia result;
   result.negative = (d.array() < 0).count();
   result.positive = (d.array() > 0).count();
   const double largest = d.cwiseAbs().maxCoeff();
-  result.margin = largest > 0 ? d.cwiseAbs().minCoeff() / largest : 0;
+  const double smallest = d.cwiseAbs().minCoeff();
+  result.margin = smallest > 0 ? std::min(smallest / largest, lapack::reciprocal_condition(factor, norm1(equilibrated))) : 0;
   return result;
 }
 
-template <class AnyMatrix>
-Index negative_pivots(const AnyMatrix& a) {
-  if (a.rows() == 0) return 0;
-  const Vector d = lapack::pivot_values(lapack::factor_indefinite(scaled(a, equilibrating_scale(a))));
-  const double threshold = 8 * static_cast<double>(a.rows()) * std::numeric_limits<double>::epsilon() * d.cwiseAbs().maxCoeff();
-  return (d.array() < -threshold).count();
+// Eigenvalues below −8 n ε of the largest.
+Index below_zero(const Vector& values) {
+  const double threshold = 8 * static_cast<double>(values.size()) * std::numeric_limits<double>::epsilon() * values.cwiseAbs().maxCoeff();
+  return (values.array() < -threshold).count();
 }
 
 }  // namespace
 
-Index clearly_negative(const Matrix& symmetric) { return negative_pivots(symmetric); }
-Index clearly_negative(const ComplexMatrix& hermitian) { return negative_pivots(hermitian); }
+Index clearly_negative(const Matrix& symmetric) {
+  return symmetric.rows() == 0 ? 0 : below_zero(lapack::symmetric_eigenvalues(scaled(symmetric, equilibrating_scale(symmetric))));
+}
+
+Index clearly_negative(const ComplexMatrix& hermitian) {
+  const Index n = hermitian.rows();
+  const ComplexMatrix h = scaled(hermitian, equilibrating_scale(hermitian));
+  Matrix embedded(2 * n, 2 * n);  // every eigenvalue twice
+  embedded << h.real(), -h.imag(), h.imag(), h.real();
+  return n == 0 ? 0 : below_zero(lapack::symmetric_eigenvalues(embedded)) / 2;
+}
 
 bool Inertia::doubtful() const {
   const double n = static_cast<double>(negative + positive);

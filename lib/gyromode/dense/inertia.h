@@ -8,7 +8,7 @@ namespace gyromode {
 struct Inertia {
   Index negative = 0;
   Index positive = 0;
-  /// Smallest over largest |eigenvalue of D| after equilibration.
+  /// After equilibration, the lesser of smallest over largest |eigenvalue of D| and the reciprocal condition (1-norm).
   double margin = 1;
 
   /// A backward error of 8 n ε could move an eigenvalue through zero: the matrix is singular to rounding, and the count may be off by the number
@@ -18,11 +18,11 @@ struct Inertia {
 
 /// The matrix is equilibrated by powers of two first (a congruence), so tiny diagonals and mixed units do no harm. LAPACK's dsytrf and zhetrf: a
 /// factorisation without 2 × 2 pivots returns wrong counts.
-/// Pivots below −8 n ε of the largest: n₋ of a matrix that may be singular, its zero eigenvalues left out as far as pivots tell.
-Index clearly_negative(const Matrix& symmetric);
-Index clearly_negative(const ComplexMatrix& hermitian);
-
 Inertia inertia(const Matrix& symmetric);
 Inertia inertia(const ComplexMatrix& hermitian);
+
+/// Eigenvalues of the equilibrated matrix below −8 n ε of the largest: n₋ of a matrix that may be singular. Costs an eigenvalue computation.
+Index clearly_negative(const Matrix& symmetric);
+Index clearly_negative(const ComplexMatrix& hermitian);
 
 }  // namespace gyromode

@@ -32,6 +32,16 @@ auto back_substitute(const IndefiniteFactor<Scalar>& f, Eigen::Matrix<Scalar, Ei
   return b;
 }
 
+template <class Scalar, class Routine>
+double estimated_condition(const IndefiniteFactor<Scalar>& f, double norm, Routine routine, const char* name) {
+  if (f.factor.rows() == 0) return 1;
+  const int order = dimension(f.factor.rows(), name);
+  double rcond = 0;
+  const int info = routine(LAPACK_COL_MAJOR, 'L', order, f.factor.data(), order, f.pivots.data(), norm, &rcond);
+  require_success(info, name, "the condition could not be estimated");
+  return rcond;
+}
+
 }  // namespace
 
 IndefiniteFactor<double> factor_indefinite(Matrix a) { return factorise<double>(std::move(a), LAPACKE_dsytrf, "dsytrf"); }
@@ -40,14 +50,8 @@ IndefiniteFactor<Complex> factor_indefinite(ComplexMatrix a) { return factorise<
 Matrix solve(const IndefiniteFactor<double>& f, Matrix b) { return back_substitute(f, std::move(b), LAPACKE_dsytrs, "dsytrs"); }
 ComplexMatrix solve(const IndefiniteFactor<Complex>& f, ComplexMatrix b) { return back_substitute(f, std::move(b), LAPACKE_zhetrs, "zhetrs"); }
 
-double reciprocal_condition(const IndefiniteFactor<double>& f, double norm) {
-  if (f.factor.rows() == 0) return 1;
-  const int order = dimension(f.factor.rows(), "dsycon");
-  double rcond = 0;
-  const int info = LAPACKE_dsycon(LAPACK_COL_MAJOR, 'L', order, f.factor.data(), order, f.pivots.data(), norm, &rcond);
-  require_success(info, "dsycon", "the condition could not be estimated");
-  return rcond;
-}
+double reciprocal_condition(const IndefiniteFactor<double>& f, double norm) { return estimated_condition(f, norm, LAPACKE_dsycon, "dsycon"); }
+double reciprocal_condition(const IndefiniteFactor<Complex>& f, double norm) { return estimated_condition(f, norm, LAPACKE_zhecon, "zhecon"); }
 
 template <class Scalar>
 Vector pivot_values(const IndefiniteFactor<Scalar>& f) {

@@ -20,8 +20,9 @@ IndefiniteFactor<Complex> factor_indefinite(ComplexMatrix a);
 Matrix solve(const IndefiniteFactor<double>& f, Matrix b);
 ComplexMatrix solve(const IndefiniteFactor<Complex>& f, ComplexMatrix b);
 
-/// Reciprocal condition number (1-norm) of A whose 1-norm is `norm` (dsycon).
+/// Reciprocal condition number (1-norm) of A whose 1-norm is `norm` (dsycon, zhecon).
 double reciprocal_condition(const IndefiniteFactor<double>& f, double norm);
+double reciprocal_condition(const IndefiniteFactor<Complex>& f, double norm);
 
 /// Eigenvalues of D, one per row of A; by Sylvester their signs are the inertia of A.
 template <class Scalar>

@@ -13,7 +13,11 @@ void multiply_into(MatrixSpan c, double alpha, const MatrixView& a, bool transpo
   eigen_assert(inner == (transpose_b ? b.cols() : b.rows()));
   if (c.size() == 0) return;
   if (inner == 0) {
-    c *= beta;
+    if (beta == 0) {
+      c.setZero();
+    } else {
+      c *= beta;
+    }
     return;
   }
   cblas_dgemm(CblasColMajor, transpose_a ? CblasTrans : CblasNoTrans, transpose_b ? CblasTrans : CblasNoTrans, dimension(c.rows(), "dgemm"),

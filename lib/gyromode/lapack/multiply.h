@@ -4,7 +4,7 @@
 
 namespace gyromode::lapack {
 
-/// Products of dense matrices by the BLAS (dgemm, dsyrk). Shapes as in the formulas; c is resized.
+/// Products of dense matrices by the BLAS (dgemm, dsyrk). Shapes as in the formulas.
 Matrix multiply(const MatrixView& a, const MatrixView& b);        ///< A B
 Matrix multiply_tn(const MatrixView& a, const MatrixView& b);     ///< Aᵀ B
 Matrix multiply_nt(const MatrixView& a, const MatrixView& b);     ///< A Bᵀ

@@ -31,6 +31,9 @@ std::optional<Index> cholesky(MatrixSpan a) {
   const int info = LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'L', dimension(n, "dpotrf"), a.data(), dimension(a.outerStride(), "dpotrf"));
   if (info > 0) return info - 1;
   require_success(info, "dpotrf", "");
+  for (Index j = 0; j < n; ++j) {
+    if (!(a(j, j) > 0)) return j;  // NaN passes through dpotrf
+  }
   for (Index j = 1; j < n; ++j) a.col(j).head(j).setZero();
   return std::nullopt;
 }

@@ -5,9 +5,11 @@
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/system/scale.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace gyromode {
 
@@ -15,16 +17,22 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// A condition below 1/(100 n ε) leaves every eigenvalue a factor 10 above the threshold that calls it zero; dpocon and dsycon
-// underestimate the condition rarely, and then by less than that.
-bool clearly_regular(double reciprocal_condition, Index n) { return reciprocal_condition > 100 * static_cast<double>(n) * epsilon; }
+// Up to this order the eigenvalues are computed outright. Beyond, a factorisation decides where both its pivots and its condition estimate leave a factor
+// 10 and more to the threshold: either alone can miss a null vector.
+constexpr Index eigenvalues_up_to = 256;
+
+bool clearly_regular(double reciprocal_condition, const Vector& pivots) {
+  const double n = static_cast<double>(pivots.size());
+  const double ratio = pivots.cwiseAbs().minCoeff() / pivots.cwiseAbs().maxCoeff();
+  return std::min(reciprocal_condition, ratio) > 100 * n * epsilon;
+}
 
 std::optional<Definiteness> positive_by_cholesky(const Matrix& k) {
   if (!(k.diagonal().array() > 0).all()) return std::nullopt;
   Matrix l = k;
   if (lapack::cholesky(l)) return std::nullopt;
   const double rcond = lapack::reciprocal_condition(l, norm1(k));
-  if (!clearly_regular(rcond, k.rows())) return std::nullopt;
+  if (!clearly_regular(rcond, l.diagonal().cwiseAbs2())) return std::nullopt;
   return Definiteness{0, 0, k.rows(), Matrix(k.rows(), 0), rcond};
 }
 
@@ -33,20 +41,19 @@ std::optional<Definiteness> regular_by_pivots(const Matrix& k) {
   const Vector d = lapack::pivot_values(factor);
   if ((d.array() == 0).any()) return std::nullopt;
   const double rcond = lapack::reciprocal_condition(factor, norm1(k));
-  if (!clearly_regular(rcond, k.rows())) return std::nullopt;
+  if (!clearly_regular(rcond, d)) return std::nullopt;
   const Index negative = (d.array() < 0).count();
   return Definiteness{negative, 0, k.rows() - negative, Matrix(k.rows(), 0), rcond};
 }
 
 Definiteness by_eigenvalues(const Matrix& k, const Vector& scale) {
   const Index n = k.rows();
+  Definiteness result;
   const auto e = lapack::symmetric_eigen(k);
   const double largest = e.values.cwiseAbs().maxCoeff();
   const double threshold = 8 * static_cast<double>(n) * epsilon * largest;
-  Definiteness result;
   double smallest = largest;
-  for (Index i = 0; i < n; ++i) {
-    const double lambda = e.values(i);
+  for (const double lambda : e.values) {
     if (std::abs(lambda) <= threshold) {
       ++result.zero;
     } else {
@@ -54,11 +61,21 @@ Definiteness by_eigenvalues(const Matrix& k, const Vector& scale) {
       smallest = std::min(smallest, std::abs(lambda));
     }
   }
-  result.margin = largest > 0 && result.zero < n ? smallest / largest : 0;
+  result.margin = result.zero < n ? smallest / largest : 0;
   // K̂ v = 0 means K (D v) = 0. Zero eigenvalues stand together, after the negative ones.
   result.null_space = scale.asDiagonal() * e.vectors.middleCols(result.negative, result.zero);
   result.null_space.colwise().normalize();
   return result;
+}
+
+Definiteness of_nonzero_rows(const Matrix& k) {
+  const Vector scale = equilibrating_scale(k);
+  const Matrix equilibrated = scaled(k, scale);
+  if (k.rows() > eigenvalues_up_to) {
+    if (auto decided = positive_by_cholesky(equilibrated)) return *decided;
+    if (auto decided = regular_by_pivots(equilibrated)) return *decided;
+  }
+  return by_eigenvalues(equilibrated, scale);
 }
 
 }  // namespace
@@ -69,12 +86,17 @@ Sign Definiteness::sign() const {
 }
 
 Definiteness definiteness(const Matrix& k) {
-  if (k.rows() == 0) return {};
-  const Vector scale = equilibrating_scale(k);
-  const Matrix equilibrated = scaled(k, scale);
-  if (auto decided = positive_by_cholesky(equilibrated)) return *decided;
-  if (auto decided = regular_by_pivots(equilibrated)) return *decided;
-  return by_eigenvalues(equilibrated, scale);
+  std::vector<Index> used;
+  std::vector<Index> unused;  // rows of zeros: coordinates without stiffness, null vectors by themselves
+  for (Index i = 0; i < k.rows(); ++i) (k.row(i).isZero(0) ? unused : used).push_back(i);
+  if (unused.empty()) return k.rows() == 0 ? Definiteness{} : of_nonzero_rows(k);
+  Definiteness d = used.empty() ? Definiteness{} : of_nonzero_rows(k(used, used));
+  Matrix null_space = Matrix::Zero(k.rows(), d.zero + static_cast<Index>(unused.size()));
+  if (d.zero > 0) null_space.leftCols(d.zero)(used, Eigen::all) = d.null_space;
+  for (std::size_t i = 0; i < unused.size(); ++i) null_space(unused[i], d.zero + static_cast<Index>(i)) = 1;
+  d.zero = null_space.cols();
+  d.null_space = std::move(null_space);
+  return d;
 }
 
 }  // namespace gyromode

@@ -13,14 +13,14 @@ struct Definiteness {
   Index zero = 0;
   Index positive = 0;
   Matrix null_space;   ///< n × zero, columns of 2-norm 1 spanning null(K)
-  double margin = 1;   ///< smallest over largest |eigenvalue| of the equilibrated K among those not called zero
+  double margin = 1;   ///< of the equilibrated K: smallest over largest |eigenvalue| not called zero; beyond order 256 a reciprocal condition (1-norm)
 
   Sign sign() const;
 };
 
 /// Inertia of a symmetric matrix (n × n, 0 × 0 allowed). K is equilibrated first, K̂ = D K D with |K̂| rows near 1, so units do not matter.
-/// A Cholesky, then a Bunch–Kaufman factorisation decides where its condition leaves no doubt; otherwise the eigenvalues λ of K̂ are
-/// computed, and those with |λ| ≤ 8 n ε max|λ| are zero: a backward error of that size makes them so.
+/// Eigenvalues λ of K̂ with |λ| ≤ 8 n ε max|λ| are zero: a backward error of that size makes them so. Beyond order 256 a Cholesky, then a Bunch–Kaufman
+/// factorisation decides where pivots and condition both leave no doubt.
 Definiteness definiteness(const Matrix& k);
 
 }  // namespace gyromode

@@ -1,10 +1,12 @@
 #include "gyromode/system/promise.h"
 
+#include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/system/scale.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <unordered_set>
@@ -13,28 +15,31 @@ namespace gyromode {
 
 namespace {
 
-// The pair (i, j), i ≥ j, where |a_ij − sign·a_ji| is largest, and that number.
+// The pair (i, j), i ≥ j, where |a_ij − sign·a_ji| / √(r_i r_j) is largest, r_i the largest entry of row and column i: units cancel.
 struct Breach {
   Index i = 0, j = 0;
-  double size = 0;
+  double size = 0;   // |a_ij − sign·a_ji|
+  double ratio = 0;  // over √(r_i r_j)
 };
 
 Breach largest_breach(const Matrix& a, double sign) {
+  const Vector rows = a.cwiseAbs().rowwise().maxCoeff().cwiseMax(a.cwiseAbs().colwise().maxCoeff().transpose());
   Breach worst;
   for (Index j = 0; j < a.cols(); ++j) {
     for (Index i = j; i < a.rows(); ++i) {
       const double size = std::abs(a(i, j) - sign * a(j, i));
-      if (size > worst.size) worst = {i, j, size};
+      if (size == 0) continue;
+      const double ratio = size / (std::sqrt(rows(i)) * std::sqrt(rows(j)));
+      if (!(ratio <= worst.ratio)) worst = {i, j, size, ratio};
     }
   }
   return worst;
 }
 
 double require_symmetry(std::string_view name, const Matrix& a, double sign) {
-  const double largest = a.size() == 0 ? 0 : a.cwiseAbs().maxCoeff();
-  if (largest == 0) return 0;
   const Breach b = largest_breach(a, sign);
-  if (b.size <= symmetry_tolerance * largest) return b.size / largest;
+  if (b.ratio <= symmetry_tolerance) return b.ratio;
+  const double largest = a.cwiseAbs().maxCoeff();
   const std::string law = fmt::format("{0} must satisfy {0} = {1}{0}ᵀ", name, sign > 0 ? "" : "−");
   if (b.i == b.j) {
     throw BrokenPromise(fmt::format("{}: the diagonal entry ({},{}) = {:.6g} must be 0, it is {:.2g} % of the largest entry", law, b.i + 1, b.j + 1,
@@ -43,6 +48,29 @@ double require_symmetry(std::string_view name, const Matrix& a, double sign) {
   throw BrokenPromise(fmt::format("{}: entries ({},{}) = {:.6g} and ({},{}) = {:.6g} {} by {:.3g}, {:.2g} % of the largest entry", law, b.j + 1, b.i + 1,
                                   a(b.j, b.i), b.i + 1, b.j + 1, a(b.i, b.j), sign > 0 ? "differ" : "miss opposite signs", b.size,
                                   100 * b.size / largest));
+}
+
+// Smallest eigenvalue of the unit-diagonal A, and the coordinate that weighs most in its vector; beyond order 256 the smallest pivot or reciprocal
+// condition, whichever is less.
+struct Weakest {
+  double value = 0;
+  Index coordinate = 0;
+};
+
+Weakest weakest(const Matrix& unit_diagonal) {
+  constexpr Index eigenvalues_up_to = 256;
+  Weakest w;
+  if (unit_diagonal.rows() <= eigenvalues_up_to) {
+    const auto e = lapack::symmetric_eigen(unit_diagonal);
+    w.value = e.values(0);
+    e.vectors.col(0).cwiseAbs().maxCoeff(&w.coordinate);
+    return w;
+  }
+  Matrix l = unit_diagonal;
+  if (const auto failed = lapack::cholesky(l)) return {0, *failed};
+  w.value = l.diagonal().cwiseAbs2().minCoeff(&w.coordinate);
+  w.value = std::min(w.value, lapack::reciprocal_condition(l, norm1(unit_diagonal)));
+  return w;
 }
 
 }  // namespace
@@ -86,23 +114,18 @@ void require_positive_definite(std::string_view name, const Matrix& a, const Lab
                                       i + 1, a(i, i), labels[static_cast<std::size_t>(i)]));
     }
   }
-  Matrix l = scaled(a, unit_diagonal_scale(a));
-  const auto failed = lapack::cholesky(l);
-  Index weakest = failed.value_or(0);
-  double pivot = 0;
-  if (!failed) {
-    pivot = l.diagonal().cwiseAbs2().minCoeff(&weakest);
-    if (pivot > static_cast<double>(n) * epsilon) return;
-  }
-  throw BrokenPromise(fmt::format("{} must be positive definite: with unit diagonal its pivot {} (coordinate '{}') is {}{:.3g}, not above n ε = {:.2g}",
-                                  name, weakest + 1, labels[static_cast<std::size_t>(weakest)], failed ? "≤ " : "", pivot,
-                                  static_cast<double>(n) * epsilon));
+  const Weakest w = weakest(scaled(a, unit_diagonal_scale(a)));
+  const double limit = static_cast<double>(n) * epsilon;
+  if (w.value > limit) return;
+  throw BrokenPromise(fmt::format("{} must be positive definite: scaled to unit diagonal its smallest eigenvalue is {:.3g}, not above n ε = {:.2g}; coordinate '{}' "
+                                  "takes part most",
+                                  name, w.value, limit, labels[static_cast<std::size_t>(w.coordinate)]));
 }
 
 double require_symmetric(std::string_view name, const Matrix& a) { return require_symmetry(name, a, 1); }
 double require_skew(std::string_view name, const Matrix& a) { return require_symmetry(name, a, -1); }
 
-Matrix symmetric_part(const Matrix& a) { return 0.5 * (a + a.transpose()); }
-Matrix skew_part(const Matrix& a) { return 0.5 * (a - a.transpose()); }
+Matrix symmetric_part(const Matrix& a) { return 0.5 * a + 0.5 * a.transpose(); }
+Matrix skew_part(const Matrix& a) { return 0.5 * a - 0.5 * a.transpose(); }
 
 }  // namespace gyromode

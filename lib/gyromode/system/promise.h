@@ -10,7 +10,7 @@
 namespace gyromode {
 
 /// A law of mechanics that the input breaks: M not positive definite, K not symmetric, G not skew.
-/// what() is one line: promise, size of the breach, place, and what would mend it.
+/// what() is one line: promise, size of the breach, place.
 class BrokenPromise : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
@@ -25,17 +25,17 @@ Labels default_labels(Index n);
 void require_square(std::string_view name, const Matrix& a);
 void require_finite(std::string_view name, const Matrix& a);
 void require_labels(const Labels& labels, Index n);
-/// A positive definite by a Cholesky factorisation of the unit-diagonal scaling of A; a pivot not above n·ε is a breach.
+/// A positive definite: scaled to unit diagonal, its smallest eigenvalue above n ε.
 void require_positive_definite(std::string_view name, const Matrix& a, const Labels& labels);
 
 /// Rounding in another program leaves |a_ij − a_ji| of a few units in the last place. The promise A = ±Aᵀ is kept when
-///     max |a_ij ∓ a_ji| ≤ 16 ε max |a_ij|;
-/// the (skew-)symmetric part is then used, and the breach is reported as Promises::… in `structure`.
+///     |a_ij ∓ a_ji| ≤ 16 ε √(r_i r_j),   r_i the largest |entry| of row and column i;
+/// the (skew-)symmetric part is then used, and the breach is reported (System::symmetry_errors, `checks` of gyromode structure).
 inline constexpr double symmetry_tolerance = 16 * 2.220446049250313e-16;
 
-/// max |a_ij − a_ji| / max |a_ij| (0 for a zero matrix); throws BrokenPromise above the tolerance.
+/// The largest |a_ij − a_ji| / √(r_i r_j); throws BrokenPromise above the tolerance.
 double require_symmetric(std::string_view name, const Matrix& a);
-/// max |a_ij + a_ji| / max |a_ij|, likewise.
+/// The largest |a_ij + a_ji| / √(r_i r_j), likewise.
 double require_skew(std::string_view name, const Matrix& a);
 
 /// ½(A + Aᵀ) and ½(A − Aᵀ): for callers who want a matrix repaired and say so.
