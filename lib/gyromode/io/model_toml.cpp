@@ -79,9 +79,10 @@ KnownValues read_known(const TomlTable& table) {
 
 }  // namespace
 
-Model read_model(const std::filesystem::path& file) {
-  const std::string text = read_text(file, "TOML model");
-  const TomlTable table(text, file);
+Model read_model(const std::filesystem::path& file) { return parse_model(read_text(file, "TOML model"), file); }
+
+Model parse_model(std::string_view text, const std::filesystem::path& name) {
+  const TomlTable table(text, name);
   const std::string kind = table.text("kind").value_or("");
   if (kind.empty()) table.fail("key 'kind' is missing: kind = \"matrices\" or \"first_order\" was expected");
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
@@ -94,7 +95,7 @@ Model read_model(const std::filesystem::path& file) {
   Labels labels = table.texts("labels");
   std::optional<double> spin;
   auto system = second_order ? read_second_order(table, std::move(labels), spin, digest) : read_first_order(table, std::move(labels), digest);
-  return {table.text("title").value_or(file.stem().string()), table.text("reference").value_or(""), kind, digest.sha256(), std::move(system), spin,
+  return {table.text("title").value_or(name.stem().string()), table.text("reference").value_or(""), kind, digest.sha256(), std::move(system), spin,
           read_known(table)};
 }
 

@@ -1,0 +1,160 @@
+"""The program from outside: exit codes, one-line errors, formats, windows, files that must not be spoilt."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+SOURCE = pathlib.Path(sys.argv[2]).resolve()
+MODELS = SOURCE / "models"
+
+
+def run(*arguments, cwd=None):
+    return subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=60)
+
+
+class Errors(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = pathlib.Path(self.folder.name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def refused(self, code, expected, *arguments):
+        result = run(*arguments)
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        for word in expected:
+            self.assertIn(word, result.stderr)
+
+    def model(self, text):
+        file = self.path / "m.toml"
+        file.write_text(text)
+        return file
+
+    def matrices(self, m, k, g=None):
+        arguments = []
+        for name, text in (("mass", m), ("stiffness", k), ("gyroscopic", g)):
+            if text is not None:
+                (self.path / f"{name}.mtx").write_text(text)
+                arguments += [f"--{name}", self.path / f"{name}.mtx"]
+        return arguments
+
+    UNIT = "%%MatrixMarket matrix array real general\n2 2\n1\n0\n0\n1\n"
+
+    def test_usage(self):
+        self.refused(1, ["no model"], "modes")
+        self.refused(1, ["not both"], "modes", "x.toml", "--mass", "M.mtx")
+        self.refused(1, ["--stiffness is missing"], "modes", "--mass", "M.mtx")
+        self.refused(1, ["frequency", "5xyz"], "modes", MODELS / "wiresaw.toml", "--below", "5xyz")
+        self.refused(1, ["0 ≤ A < B"], "modes", MODELS / "wiresaw.toml", "--window", "5:2")
+        self.refused(1, ["window"], "count", MODELS / "wiresaw.toml")
+        self.assertEqual(run("modes", MODELS / "wiresaw.toml", "--lowest", "0").returncode, 1)
+        self.assertEqual(run("nonsense").returncode, 1)
+        self.assertEqual(run().returncode, 1)
+
+    def test_unreadable(self):
+        self.refused(2, ["missing.toml", "No such file"], "modes", self.path / "missing.toml")
+        self.refused(2, ["directory"], "modes", self.path)
+        self.refused(2, ["empty"], "modes", self.model(""))
+        self.refused(2, ["m.toml:1", "not TOML"], "modes", self.model("kind = = 1\n"))
+        self.refused(2, ["m.toml:2", "did you mean 'stiffness'"], "modes", self.model('kind = "matrices"\nstifness = [[1]]\nmass = [[1]]\n'))
+        self.refused(2, ["m.toml:2:9", "title", "a string was expected"], "modes", self.model('kind = "matrices"\ntitle = 3\nmass = [[1]]\nstiffness = [[1]]\n'))
+        self.refused(2, ["m.toml:2", "nan"], "modes", self.model('kind = "matrices"\nmass = [[nan]]\nstiffness = [[1]]\n'))
+        self.refused(2, ["spin", "5 parsec"], "modes",
+                     self.model('kind = "matrices"\nmass = [[1]]\nstiffness = [[1]]\nspin = "5 parsec"\nstiffness_per_spin2 = [[1]]\n'))
+        self.refused(2, ["row 2", "2 were expected"], "modes", self.model('kind = "matrices"\nmass = [[1, 0], [0]]\nstiffness = [[1]]\n'))
+        self.refused(2, ["2 × 2"], "modes", self.model('kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[1]]\n'))
+        self.refused(2, ["square"], "modes", self.model('kind = "matrices"\nmass = [[1, 0]]\nstiffness = [[1]]\n'))
+        self.refused(2, ["key 'mass' is missing"], "modes", self.model('kind = "matrices"\nstiffness = [[1]]\n'))
+        self.refused(2, ["rotor"], "modes", self.model('kind = "rotor"\n'))
+        self.refused(2, ["mass.mtx:3", "abc"], "modes", *self.matrices("%%MatrixMarket matrix coordinate real general\n1 1 1\n1 1 abc\n", self.UNIT))
+        self.refused(2, ["order"], "modes", *self.matrices("%%MatrixMarket matrix array real general\n1 1\n1\n", self.UNIT))
+
+    def test_against_a_law(self):
+        self.refused(3, ["M must be positive definite"], "modes", self.model('kind = "matrices"\nmass = [[-1]]\nstiffness = [[1]]\n'))
+        self.refused(3, ["K must satisfy K = Kᵀ", "differ by"], "modes", self.model('kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[1, 2], [0, 1]]\n'))
+        self.refused(3, ["G must satisfy G = −Gᵀ"], "modes",
+                     self.model('kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[1, 0], [0, 1]]\ngyroscopic = [[0, 3], [-2.5, 0]]\n'))
+        self.refused(3, ["symmetric-2n", "positive definite"], "modes", MODELS / "rigid_body_minor.toml", "--method", "symmetric-2n")
+        self.refused(3, ["exact", "spacecraft"], "modes", MODELS / "wiresaw.toml", "--method", "exact")
+        self.refused(3, ["M, G, K"], "modes", MODELS / "meirovitch_body.toml", "--method", "first-order")
+
+    def test_output_is_kept_where_the_run_fails(self):
+        target = self.path / "result.json"
+        target.write_text("precious")
+        self.assertEqual(run("modes", self.path / "missing.toml", "-o", target).returncode, 2)
+        self.assertEqual(target.read_text(), "precious")
+        self.refused(2, ["cannot be written"], "modes", MODELS / "wiresaw.toml", "-o", self.path / "no" / "where.json")
+        self.assertEqual(run("modes", MODELS / "wiresaw.toml", "-o", target, "--quiet").returncode, 0)
+        self.assertEqual(json.loads(target.read_text())["schema"], "gyromode/modes/1")
+        self.assertEqual(sorted(p.name for p in self.path.iterdir()), ["result.json"])
+
+
+class Results(unittest.TestCase):
+    def json(self, *arguments):
+        result = run(*arguments, "--format", "json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(result.stdout)
+
+    def test_modes(self):
+        r = self.json("modes", MODELS / "rigid_body.toml", "--shapes")
+        self.assertEqual(r["model"]["coordinates"], 2)
+        self.assertEqual(r["structure"]["in_phase"], ["θ1"])
+        self.assertEqual(r["structure"]["quadrature"], ["θ2"])
+        self.assertAlmostEqual(r["modes"][1]["omega"], 3.14159265358979323846 / 3, delta=1e-14)
+        self.assertEqual(r["coverage"]["window"], [0.0, None])
+        shape = r["modes"][0]["shape"]
+        self.assertEqual(max(abs(complex(a, b)) for a, b in zip(shape["re"], shape["im"])), 1.0)
+        self.assertTrue(shape["im"][0] == 0 and shape["re"][1] == 0 or shape["re"][0] == 0 and shape["im"][1] == 0)
+
+    def test_windows(self):
+        r = self.json("modes", MODELS / "wiresaw.toml", "--window", "1Hz:3Hz")
+        self.assertEqual([round(m["frequency_hz"], 2) for m in r["modes"]], [1.5, 2.0, 2.5, 3.0])
+        self.assertEqual(r["coverage"]["found"], 4)
+        r = self.json("modes", MODELS / "wiresaw.toml", "--lowest", "3")
+        self.assertEqual(len(r["modes"]), 3)
+        r = self.json("modes", MODELS / "rigid_body.toml", "--below", "10rpm")  # the tilt is at 10 rpm: moved outward
+        self.assertEqual(len(r["modes"]), 2)
+        self.assertGreater(r["coverage"]["window"][1], r["coverage"]["requested"][1])
+
+    def test_methods_agree(self):
+        reference = [m["omega"] for m in self.json("modes", MODELS / "wiresaw.toml")["modes"]]
+        for method in ("quadrature", "general", "first-order", "symmetric-2n"):
+            found = [m["omega"] for m in self.json("modes", MODELS / "wiresaw.toml", "--method", method)["modes"]]
+            for a, b in zip(reference, found, strict=True):
+                self.assertAlmostEqual(a, b, delta=1e-11 * a)
+
+    def test_count(self):
+        r = self.json("count", MODELS / "rotating_frame.toml", "--window", "0.1:1")
+        self.assertEqual((r["count"], r["signed"], r["status"]), (3, 1, "exact"))
+
+    def test_stability(self):
+        r = self.json("stability", MODELS / "rigid_body_minor.toml")
+        self.assertEqual(r["stability"], "gyroscopically_stabilised")
+        self.assertEqual(r["index_balance"]["negative_energy"], 1)
+        self.assertEqual(len(r["negative_modes"]), 1)
+
+    def test_structure_at(self):
+        r = self.json("structure", MODELS / "rigid_body.toml", "--at", "0.8")
+        star = r["at"]["H_star"]
+        self.assertEqual(star[0][1], star[1][0])
+
+    def test_formats(self):
+        for name, start in (("csv", "omega,"), ("markdown", "## "), ("table", "Travelling")):
+            self.assertTrue(run("modes", MODELS / "wiresaw.toml", "--format", name).stdout.startswith(start))
+
+    def test_convert_round_trip(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "matrices"
+            self.assertEqual(run("convert", MODELS / "three_springs.toml", "-o", out, "--quiet").returncode, 0)
+            r = self.json("modes", "--mass", out / "M.mtx", "--gyroscopic", out / "G.mtx", "--stiffness", out / "K.mtx")
+            s = self.json("modes", MODELS / "three_springs.toml")
+            self.assertEqual([m["omega"] for m in r["modes"]], [m["omega"] for m in s["modes"]])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])

@@ -1,0 +1,12 @@
+# Installs the build into a folder of its own, then configures, builds and runs the consumer against it.
+set(prefix ${BUILD}/consumer-prefix)
+set(work ${BUILD}/consumer-build)
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+file(REMOVE_RECURSE ${prefix} ${work})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${work} -G Ninja -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} --build ${work})
+run(${work}/consumer)
+run(${prefix}/bin/gyromode modes ${prefix}/share/gyromode/models/wiresaw.toml)

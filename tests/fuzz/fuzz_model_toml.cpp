@@ -1,0 +1,65 @@
+// libFuzzer: whatever the bytes, parse_model() returns a model that keeps its promises or throws InputError or BrokenPromise, with one
+// line of message. No file is read: matrix files are sought in a folder that does not exist.
+#include "gyromode/io/model.h"
+
+#include <cctype>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+#include <variant>
+
+namespace {
+
+using gyromode::BrokenPromise;
+using gyromode::FirstOrderSystem;
+using gyromode::Matrix;
+using gyromode::System;
+using gyromode::io::InputError;
+using gyromode::io::Model;
+
+constexpr const char* name = "/gyromode-fuzz-folder-that-does-not-exist/fuzz.toml";
+
+// Whether a string of the text may be a name outside that folder. The '/' of a unit ("rad/s") starts no name; an escape may spell one.
+bool may_leave_the_folder(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char before = i > 0 ? text[i - 1] : '\0';
+    const char after = i + 1 < text.size() ? text[i + 1] : '\0';
+    if (text[i] == '/' && !(std::isalnum(static_cast<unsigned char>(before)) && after == 's')) return true;
+    if (text[i] == '\\' && (after == 'u' || after == 'U' || after == 'x')) return true;
+  }
+  return false;
+}
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+void require_one_line(std::string_view message) { require(!message.empty() && message.find_first_of("\n\r") == std::string_view::npos); }
+
+void require_promises(const System& s) {
+  const Matrix &m = s.mass(), &g = s.gyroscopic(), &k = s.stiffness();
+  require(m.allFinite() && g.allFinite() && k.allFinite());
+  require(m == m.transpose() && g == -g.transpose() && k == k.transpose() && m.diagonal().minCoeff() > 0);
+}
+
+void require_promises(const FirstOrderSystem& s) {
+  const Matrix &i = s.inertia(), &g = s.gyroscopic();
+  require(i.allFinite() && g.allFinite() && i == i.transpose() && g == -g.transpose() && i.diagonal().minCoeff() > 0);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text{reinterpret_cast<const char*>(data), size};
+  if (may_leave_the_folder(text)) return 0;
+  try {
+    const Model model = gyromode::io::parse_model(text, name);
+    std::visit([](const auto& system) { require_promises(system); }, model.system);
+    require(model.size() > 0 && static_cast<gyromode::Index>(model.labels().size()) == model.size());
+    require(model.kind == (std::holds_alternative<System>(model.system) ? "matrices" : "first_order") && model.sha256.size() == 64);
+  } catch (const InputError& error) {
+    require_one_line(error.what());
+  } catch (const BrokenPromise&) {
+  }
+  return 0;
+}
