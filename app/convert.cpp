@@ -49,7 +49,7 @@ int run(const Options& o) {
 void add_convert(CLI::App& program, int& code) {
   CLI::App* verb = program.add_subcommand("convert", "Write the matrices of a model as Matrix Market files");
   auto o = std::make_shared<Options>();
-  o->source.add_to(*verb);
+  o->source.add_to(*verb, false);
   verb->add_option("-o,--output", o->folder, "Folder for M.mtx, G.mtx, K.mtx (I.mtx, G.mtx for first-order models)")->type_name("DIR")->required();
   verb->add_flag("--quiet", o->quiet, "No remarks on stderr; errors remain");
   verb->footer("Example:\n  gyromode convert models/three_springs.toml -o matrices");

@@ -6,6 +6,8 @@
 
 #include "gyromode/modes/count.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 
 namespace gyromode::app {
@@ -22,6 +24,7 @@ int run(const Options& o) {
   if (!o.window.given()) throw UsageError("count needs a window: --below W or --window A:B");
   Stopwatch watch;
   const io::Model model = o.source.read();
+  if (o.source.coupling_tolerance > 0) o.output.say(fmt::format("couplings up to {:.2g} of the largest entry are left out, as asked", o.source.coupling_tolerance));
   io::Timings timings;
   timings.read = watch.lap();
   const Window window = o.window.read();

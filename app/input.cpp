@@ -8,11 +8,12 @@
 
 namespace gyromode::app {
 
-void ModelSource::add_to(CLI::App& verb) {
+void ModelSource::add_to(CLI::App& verb, bool tolerant) {
   verb.add_option("model", model, "Model file (TOML); or give the three matrices below")->type_name("MODEL");
   verb.add_option("--mass", mass, "Mass matrix M, Matrix Market")->type_name("M.mtx");
   verb.add_option("--gyroscopic", gyroscopic, "Gyroscopic matrix G (skew), Matrix Market; left out: G = 0")->type_name("G.mtx");
   verb.add_option("--stiffness", stiffness, "Stiffness matrix K, Matrix Market")->type_name("K.mtx");
+  if (!tolerant) return;
   verb.add_option("--coupling-tolerance", coupling_tolerance,
                   "Couplings up to this fraction of the largest entry of their matrix are left out (default 0: none are)")
       ->type_name("FRACTION")

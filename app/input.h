@@ -16,7 +16,8 @@ struct ModelSource {
   std::string model, mass, gyroscopic, stiffness;
   double coupling_tolerance = 0;
 
-  void add_to(CLI::App& verb);
+  /// `tolerant`: with --coupling-tolerance, for verbs that look at the structure.
+  void add_to(CLI::App& verb, bool tolerant = true);
   io::Model read() const;
   StructureOptions structure() const { return {coupling_tolerance}; }
 };

@@ -6,6 +6,8 @@
 
 #include "gyromode/modes/modes.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 
 namespace gyromode::app {
@@ -20,6 +22,7 @@ struct Options {
 int run(const Options& o) {
   Stopwatch watch;
   const io::Model model = o.source.read();
+  if (o.source.coupling_tolerance > 0) o.output.say(fmt::format("couplings up to {:.2g} of the largest entry are left out, as asked", o.source.coupling_tolerance));
   io::Timings timings;
   timings.read = watch.lap();
   ModesOptions options;

@@ -45,8 +45,13 @@ class Tally {
 
   Score score(std::string system, std::string method, Index order) const {
     const double unit = static_cast<double>(order) * std::numeric_limits<double>::epsilon();
-    return {std::move(system), std::move(method), order, static_cast<Index>(residuals_.size()), quantile(residuals_, 0.5) / unit,
-            quantile(residuals_, 1) / unit, growing_ ? std::nullopt : std::optional(real_ / largest_)};
+    return {std::move(system),
+            std::move(method),
+            order,
+            static_cast<Index>(residuals_.size()),
+            quantile(residuals_, 0.5) / unit,
+            quantile(residuals_, 1) / unit,
+            growing_ ? std::nullopt : std::optional(real_ / largest_)};
   }
 
  private:

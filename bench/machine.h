@@ -6,18 +6,18 @@ namespace gyromode::bench {
 
 /// What a number depends on besides the code. Read at the start of a run.
 struct Machine {
-  std::string cpu;        ///< "model name" of /proc/cpuinfo
-  unsigned cores = 0;     ///< that this process may run on
-  double memory_gb = 0;   ///< MemTotal of /proc/meminfo
-  std::string load;       ///< /proc/loadavg: others on a shared machine
+  std::string cpu;       ///< "model name" of /proc/cpuinfo
+  unsigned cores = 0;    ///< that this process may run on
+  double memory_gb = 0;  ///< MemTotal of /proc/meminfo
+  std::string load;      ///< /proc/loadavg: others on a shared machine
   std::string compiler;
-  std::string build;      ///< CMake's build type and flags
-  std::string lapack;     ///< version that LAPACKE reports
-  std::string openblas;   ///< openblas_get_config
-  std::string core;       ///< openblas_get_corename: which kernels it chose
-  int threads = 0;        ///< openblas_get_num_threads
+  std::string build;     ///< CMake's build type and flags
+  std::string lapack;    ///< version that LAPACKE reports
+  std::string openblas;  ///< openblas_get_config
+  std::string core;      ///< openblas_get_corename: which kernels it chose
+  int threads = 0;       ///< openblas_get_num_threads
   std::string gyromode;
-  std::string date;       ///< UTC
+  std::string date;  ///< UTC
 };
 
 Machine this_machine();

@@ -11,7 +11,8 @@ std::string text(const Machine& m, const std::string& revision) {
       "software  gyromode {} ({}), {}, {}\n"
       "BLAS      {}, kernels {}, {} thread{}; LAPACK {}\n"
       "date      {}\n",
-      m.cpu, m.cores, m.memory_gb, m.load, m.gyromode, revision, m.compiler, m.build, m.openblas, m.core, m.threads, m.threads == 1 ? "" : "s", m.lapack, m.date);
+      m.cpu, m.cores, m.memory_gb, m.load, m.gyromode, revision, m.compiler, m.build, m.openblas, m.core, m.threads, m.threads == 1 ? "" : "s",
+      m.lapack, m.date);
 }
 
 std::string text(const Row& row) {
@@ -46,8 +47,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json(const Machine& m) {
-  return {{"cpu", m.cpu},           {"cores", m.cores},   {"memory_gb", m.memory_gb}, {"load", m.load}, {"compiler", m.compiler}, {"build", m.build},
-          {"openblas", m.openblas}, {"kernels", m.core},  {"threads", m.threads},     {"lapack", m.lapack}, {"gyromode", m.gyromode}, {"date", m.date}};
+  return {{"cpu", m.cpu},           {"cores", m.cores},   {"memory_gb", m.memory_gb}, {"load", m.load},
+          {"compiler", m.compiler}, {"build", m.build},   {"openblas", m.openblas},   {"kernels", m.core},
+          {"threads", m.threads},   {"lapack", m.lapack}, {"gyromode", m.gyromode},   {"date", m.date}};
 }
 
 Json json(const Row& row) {
@@ -58,13 +60,20 @@ Json json(const Row& row) {
   Json ratios = Json::array();
   for (std::size_t i = 1; i < row.timings.size(); ++i) {
     const Ratio r = ratio(row.timings[0], row.timings[i]);
-    ratios.push_back({{"of", row.timings[0].name}, {"to", row.timings[i].name}, {"of_medians", r.of_medians}, {"lowest", r.lowest}, {"highest", r.highest}});
+    ratios.push_back(
+        {{"of", row.timings[0].name}, {"to", row.timings[i].name}, {"of_medians", r.of_medians}, {"lowest", r.lowest}, {"highest", r.highest}});
   }
   return {{"row", row.key}, {"title", row.title}, {"path", row.path}, {"others", row.others}, {"contestants", contestants}, {"ratios", ratios}};
 }
 
 Json json(const Score& s) {
-  return {{"system", s.system}, {"method", s.method}, {"order", s.order}, {"modes", s.modes}, {"median_n_eps", s.median}, {"worst_n_eps", s.worst}, {"real_part", s.real_part ? Json(*s.real_part) : Json()}};
+  return {{"system", s.system},
+          {"method", s.method},
+          {"order", s.order},
+          {"modes", s.modes},
+          {"median_n_eps", s.median},
+          {"worst_n_eps", s.worst},
+          {"real_part", s.real_part ? Json(*s.real_part) : Json()}};
 }
 
 template <class Part>
@@ -80,8 +89,7 @@ Json json(const Report& report) {
   return {{"schema", "gyromode/bench/1"},
           {"revision", report.revision},
           {"machine", json(report.machine)},
-          {"options",
-           {{"n_scale", report.options.n_scale}, {"rounds", report.options.rounds}, {"process_rounds", report.options.process_rounds}}},
+          {"options", {{"n_scale", report.options.n_scale}, {"rounds", report.options.rounds}, {"process_rounds", report.options.process_rounds}}},
           {"rows", list_of(report.rows)},
           {"accuracy", list_of(report.accuracy)}};
 }

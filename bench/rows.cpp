@@ -113,7 +113,8 @@ std::vector<Row> general_rows(const RowOptions& options) {
   Dgeev first_order(companion(ours.system));
   const std::string title = titled("general, K > 0", n);
   std::vector<Row> rows;
-  rows.push_back(timed("b", title, {ours.dense_solve(), against(random, "dsyevd of order 2n", "a random symmetric matrix of order 2n")}, ours, options.rounds));
+  rows.push_back(
+      timed("b", title, {ours.dense_solve(), against(random, "dsyevd of order 2n", "a random symmetric matrix of order 2n")}, ours, options.rounds));
   rows.push_back(timed("b", title, {ours.dense_solve(), against(first_order, "dgeev of order 2n", "companion form, given")}, ours, options.rounds));
   return rows;
 }
@@ -124,8 +125,10 @@ std::vector<Row> indefinite_rows(const RowOptions& options) {
   for (const Balance balance : {Balance::stabilised, Balance::mixed}) {
     Ours ours(quadrature_indefinite(n, balance, seed));
     Dgeev first_order(companion(ours.system));
-    const char* what = balance == Balance::stabilised ? "quadrature class, both blocks indefinite, stabilised" : "quadrature class, both blocks indefinite, unstable roots";
-    rows.push_back(timed("c", titled(what, n), {ours.dense_solve(), against(first_order, "dgeev of order 2n", "companion form, given")}, ours, options.rounds));
+    const char* what = balance == Balance::stabilised ? "quadrature class, both blocks indefinite, stabilised"
+                                                      : "quadrature class, both blocks indefinite, unstable roots";
+    rows.push_back(
+        timed("c", titled(what, n), {ours.dense_solve(), against(first_order, "dgeev of order 2n", "companion form, given")}, ours, options.rounds));
   }
   return rows;
 }

@@ -37,9 +37,7 @@ class Source {
   Matrix regular(Index n, double condition) { return lapack::multiply(orthogonal(n) * graded(n, condition).asDiagonal(), orthogonal(n)); }
 
  private:
-  static Vector graded(Index n, double condition) {
-    return Vector::LinSpaced(n, 0, -std::log(condition)).array().exp();
-  }
+  static Vector graded(Index n, double condition) { return Vector::LinSpaced(n, 0, -std::log(condition)).array().exp(); }
 
   std::mt19937_64 engine_;
 };

@@ -7,7 +7,7 @@
 namespace gyromode {
 
 /// Stability in the sense of theory §5, mildest first; a system is as its worst component.
-///   stable                       K ≥ 0 on what can vibrate: also under damping
+///   stable                       K ≥ 0: also under damping; its zero modes stay out of the verdict
 ///   gyroscopically_stabilised    no growing motion, but modes of negative energy, which damping destabilises
 ///   unknown                      the index balance does not close
 ///   marginal                     the verdict changes under a backward error of n ε

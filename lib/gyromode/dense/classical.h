@@ -4,7 +4,7 @@
 
 namespace gyromode::dense {
 
-/// The companion form of Willems et al. 1975 (reference 3 of Boland & Janssens 1979): all eigenvalues of the real 2n × 2n matrix
+/// The companion form of Willems et al. (reference 3 of Boland & Janssens 1979): all eigenvalues of the real 2n × 2n matrix
 /// A = [−M⁻¹G −M⁻¹K; 1 0] for z = (q̇, q), by dgeev. Its eigenvalues carry rounding in their real parts; as in `indefinite_modes` the
 /// Hamiltonian pairing decides which of them are undamped.
 void solve_companion(const SecondOrder& m, Spectrum& s);

@@ -17,7 +17,7 @@ struct SecondOrder {
 void solve_second_order(const SecondOrder& m, Spectrum& s);
 
 /// I q̇ + G q = 0 (theory §3d): singular values of L₁⁻¹BL₂⁻ᵀ with a partition, else of the bidiagonal half of the tridiagonalised L⁻¹GL⁻ᵀ. Singular
-/// values up to 8 n ε of the largest are zero.
+/// values up to 8 n ε of the largest (of ‖L⁻¹GL⁻ᵀ‖_F without a partition) are zero.
 void solve_first_order(const Matrix& inertia, const Matrix& gyroscopic, Spectrum& s);
 
 }  // namespace gyromode::dense

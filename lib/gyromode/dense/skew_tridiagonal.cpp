@@ -1,5 +1,6 @@
 #include "gyromode/dense/skew_tridiagonal.h"
 
+#include "gyromode/dense/skew_multiply.h"
 #include "gyromode/lapack/multiply.h"
 
 #include <algorithm>
@@ -39,52 +40,13 @@ void skew_rank_2k(MatrixSpan a, const MatrixView& v, const MatrixView& w) {
 
 }  // namespace
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)
-__attribute__((target_clones("arch=haswell", "default"), optimize("O3", "fast-math")))
-#endif
-void skew_multiply(const Matrix& z, Index first, const double* v, double* y) {
-  const Index n = z.rows() - first;
-  const Index stride = z.rows();
-  const double* a = z.data() + first * (stride + 1);
-  std::fill(y, y + n, 0.0);
-  Index j = 0;
-  for (; j + 4 <= n; j += 4) {  // four columns at a time: y and v are loaded once for the four
-    for (Index c = j; c < j + 4; ++c) {
-      for (Index i = c + 1; i < j + 4; ++i) {
-        y[i] += a[c * stride + i] * v[c];
-        y[c] -= a[c * stride + i] * v[i];
-      }
-    }
-    const double *a0 = a + j * stride, *a1 = a0 + stride, *a2 = a1 + stride, *a3 = a2 + stride;
-    const double v0 = v[j], v1 = v[j + 1], v2 = v[j + 2], v3 = v[j + 3];
-    double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
-    for (Index i = j + 4; i < n; ++i) {
-      const double vi = v[i];
-      y[i] += a0[i] * v0 + a1[i] * v1 + a2[i] * v2 + a3[i] * v3;
-      s0 += a0[i] * vi;
-      s1 += a1[i] * vi;
-      s2 += a2[i] * vi;
-      s3 += a3[i] * vi;
-    }
-    y[j] -= s0;
-    y[j + 1] -= s1;
-    y[j + 2] -= s2;
-    y[j + 3] -= s3;
-  }
-  for (; j < n; ++j) {
-    for (Index i = j + 1; i < n; ++i) {
-      y[i] += a[j * stride + i] * v[j];
-      y[j] -= a[j * stride + i] * v[i];
-    }
-  }
-}
-
 SkewTridiagonal::SkewTridiagonal(Matrix z) : reflectors_(std::move(z)) {
   const Index n = reflectors_.rows();
   const Index columns = std::max<Index>(n - 1, 0);
   tau_ = Vector::Zero(columns);
   beta_ = Vector::Zero(columns);
   Matrix& a = reflectors_;
+  SkewMultiply multiply(n);
   Matrix v(n, panel_width);
   Matrix w(n, panel_width);
   for (Index start = 0; start < columns; start += panel_width) {
@@ -95,19 +57,21 @@ SkewTridiagonal::SkewTridiagonal(Matrix z) : reflectors_(std::move(z)) {
       const Index k = start + i;
       const Index below = n - k - 1;
       auto column = a.col(k).tail(below);
-      column.noalias() += v.block(k + 1, 0, below, i) * w.row(k).head(i).transpose();
-      column.noalias() -= w.block(k + 1, 0, below, i) * v.row(k).head(i).transpose();
+      lapack::multiply_add(column, 1, v.block(k + 1, 0, below, i), false, w.row(k).head(i).transpose());
+      lapack::multiply_add(column, -1, w.block(k + 1, 0, below, i), false, v.row(k).head(i).transpose());
       tau_(k) = reflector(column, beta_(k));
       auto vk = v.col(i).tail(below);
       vk = column;
       vk(0) = 1;
       if (tau_(k) == 0) continue;
       auto wk = w.col(i).tail(below);
-      skew_multiply(a, k + 1, v.col(i).data() + k + 1, w.col(i).data() + k + 1);
-      const Vector wv = w.block(k + 1, 0, below, i).transpose() * vk;
-      const Vector vv = v.block(k + 1, 0, below, i).transpose() * vk;
-      wk.noalias() += v.block(k + 1, 0, below, i) * wv;
-      wk.noalias() -= w.block(k + 1, 0, below, i) * vv;
+      multiply(a, k + 1, v.col(i).data() + k + 1, w.col(i).data() + k + 1);
+      Vector wv = Vector::Zero(i);
+      Vector vv = Vector::Zero(i);
+      lapack::multiply_add(wv, 1, w.block(k + 1, 0, below, i), true, vk);
+      lapack::multiply_add(vv, 1, v.block(k + 1, 0, below, i), true, vk);
+      lapack::multiply_add(wk, 1, v.block(k + 1, 0, below, i), false, wv);
+      lapack::multiply_add(wk, -1, w.block(k + 1, 0, below, i), false, vv);
       wk *= tau_(k);
     }
     const Index next = start + width;

@@ -26,7 +26,4 @@ class SkewTridiagonal {
   Vector beta_;
 };
 
-/// y = Z v for skew Z given by its strictly lower triangle; rows and columns from `first` on. Every entry is read once.
-void skew_multiply(const Matrix& z, Index first, const double* v, double* y);
-
 }  // namespace gyromode::dense

@@ -38,6 +38,18 @@ Matrix required(std::optional<Matrix> a, const TomlTable& table, std::string_vie
   return std::move(*a);
 }
 
+// Labels that the file gives must name every coordinate once.
+void require_fitting_labels(const TomlTable& table, const Labels& labels, Index n) {
+  if (labels.empty()) return;
+  if (static_cast<Index>(labels.size()) != n) table.fail("labels", fmt::format("'labels' has {} names: {} were expected, one a coordinate", labels.size(), n));
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i].empty()) table.fail("labels", fmt::format("label {} is empty: a name was expected", i + 1));
+    if (std::find(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(i), labels[i]) != labels.begin() + static_cast<std::ptrdiff_t>(i)) {
+      table.fail("labels", fmt::format("label '{}' is given twice: different names were expected", shown(labels[i])));
+    }
+  }
+}
+
 std::variant<System, FirstOrderSystem> read_second_order(const TomlTable& table, Labels labels, std::optional<double>& spin, Digest& digest) {
   Index n = 0;
   Matrix mass = required(matrix(table, "mass", n, digest), table, "mass");
@@ -52,6 +64,7 @@ std::variant<System, FirstOrderSystem> read_second_order(const TomlTable& table,
   if (!spin && per_spin) table.fail("gyroscopic_per_spin", "'gyroscopic_per_spin' needs 'spin' = a frequency");
   if (!spin && per_spin2) table.fail("stiffness_per_spin2", "'stiffness_per_spin2' needs 'spin' = a frequency");
   if (!stiffness && !per_spin2) table.fail("key 'stiffness' is missing: a Matrix Market file or rows of numbers was expected");
+  require_fitting_labels(table, labels, n);
   Matrix g = gyroscopic.value_or(Matrix::Zero(n, n));
   Matrix k = stiffness.value_or(Matrix::Zero(n, n));
   if (per_spin) g += *spin * *per_spin;
@@ -63,6 +76,7 @@ std::variant<System, FirstOrderSystem> read_first_order(const TomlTable& table, 
   Index n = 0;
   Matrix inertia = required(matrix(table, "inertia", n, digest), table, "inertia");
   Matrix g = required(matrix(table, "gyroscopic", n, digest), table, "gyroscopic");
+  require_fitting_labels(table, labels, n);
   return FirstOrderSystem(std::move(inertia), std::move(g), std::move(labels));
 }
 

@@ -9,6 +9,8 @@
 #include <toml++/toml.h>
 
 #include <cmath>
+#include <cstdint>
+#include <system_error>
 
 namespace gyromode::io {
 
@@ -36,7 +38,9 @@ std::string_view type_word(const toml::node& node) {
 }
 
 double finite_number(const std::filesystem::path& file, const toml::node& node, std::string_view what) {
-  const auto value = node.value<double>();
+  // An integer that no double holds exactly is rounded, as a decimal would be; toml++ gives nothing for it as a double.
+  const auto whole = node.value_exact<std::int64_t>();
+  const std::optional<double> value = whole ? static_cast<double>(*whole) : node.value<double>();
   if (!node.is_number() || !value) fail_at(file, node, fmt::format("{} is {}: a number was expected", what, type_word(node)));
   if (!std::isfinite(*value)) fail_at(file, node, fmt::format("{} is {}: a finite number was expected", what, *value));
   return *value;
@@ -136,7 +140,10 @@ std::optional<Matrix> TomlTable::matrix(std::string_view key, Digest& digest) co
   if (const auto* rows = node->as_array()) return inline_rows(content_->file, *rows, key);
   if (!node->is_string()) fail(key, fmt::format("'{}' is {}: a Matrix Market file or rows of numbers was expected", key, type_word(*node)));
   const std::filesystem::path file = content_->file.parent_path() / *node->value<std::string>();
-  if (!std::filesystem::exists(file)) fail(key, fmt::format("'{}' names '{}', which does not exist: a Matrix Market file was expected", key, file.string()));
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    fail(key, fmt::format("'{}' names '{}', which does not exist: a Matrix Market file was expected", key, shown(*node->value<std::string>())));
+  }
   const std::string text = read_text(file, "Matrix Market");
   digest.add(text);
   return parse_matrix_market(text, file);

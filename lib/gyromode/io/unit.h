@@ -11,6 +11,6 @@ namespace gyromode::io {
 std::optional<double> parse_frequency(std::string_view text);
 
 /// What parse_frequency accepts, for messages.
-inline constexpr std::string_view frequency_form = "a number in rad/s, or one with a unit: rad/s, Hz, kHz, rpm, krpm, rev/s, deg/s";
+inline constexpr std::string_view frequency_form = "a number in rad/s, or one with a unit: rad/s, 1/s, Hz, kHz, rpm, krpm, rev/s, deg/s";
 
 }  // namespace gyromode::io

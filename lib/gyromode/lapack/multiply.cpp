@@ -25,6 +25,12 @@ void multiply_into(MatrixSpan c, double alpha, const MatrixView& a, bool transpo
               dimension(b.outerStride(), "dgemm"), beta, c.data(), dimension(c.outerStride(), "dgemm"));
 }
 
+void multiply_add(Eigen::Ref<Vector> y, double alpha, const MatrixView& a, bool transpose, const Eigen::Ref<const Vector, 0, Eigen::InnerStride<>>& x) {
+  if (a.size() == 0) return;
+  cblas_dgemv(CblasColMajor, transpose ? CblasTrans : CblasNoTrans, dimension(a.rows(), "dgemv"), dimension(a.cols(), "dgemv"), alpha, a.data(),
+              dimension(a.outerStride(), "dgemv"), x.data(), dimension(x.innerStride(), "dgemv"), 1, y.data(), 1);
+}
+
 Matrix multiply(const MatrixView& a, const MatrixView& b) {
   Matrix c = Matrix::Zero(a.rows(), b.cols());
   multiply_into(c, 1, a, false, b, false, 0);

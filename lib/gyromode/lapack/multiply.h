@@ -10,6 +10,8 @@ Matrix multiply_tn(const MatrixView& a, const MatrixView& b);     ///< Aᵀ B
 Matrix multiply_nt(const MatrixView& a, const MatrixView& b);     ///< A Bᵀ
 /// c := α·op(A)·op(B) + β·c with op the transpose where the flag says so.
 void multiply_into(MatrixSpan c, double alpha, const MatrixView& a, bool transpose_a, const MatrixView& b, bool transpose_b, double beta);
+/// y := y + α·op(A)·x (dgemv).
+void multiply_add(Eigen::Ref<Vector> y, double alpha, const MatrixView& a, bool transpose, const Eigen::Ref<const Vector, 0, Eigen::InnerStride<>>& x);
 /// AᵀA, both triangles.
 Matrix gram(const MatrixView& a);
 /// Copies the lower triangle onto the upper one, in place.

@@ -20,8 +20,8 @@ struct CountResult {
   CountStatus status = CountStatus::doubtful;
 };
 
-/// K ≥ 0: `exact` from two factorisations alone. K indefinite: the system is solved for its negative-energy modes, and the count is exact where the index
-/// balance closes.
+/// The system is solved as well: an indefinite K needs its negative-energy modes, and the solution shows where an endpoint is on a mode. `exact` where the index
+/// balance closes and the count agrees with the modes found.
 CountResult count_modes(const System& system, const Window& window, const StructureOptions& options = {});
 CountResult count_modes(const FirstOrderSystem& system, const Window& window, const StructureOptions& options = {});
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace gyromode {
 
@@ -71,9 +72,14 @@ Window lowest_window(const SolvedSystem& s, const Frequencies& f, Index lowest, 
     const auto& next = f.entries[i + 1];
     const double from = e.omega + 4 * e.error;
     const double to = next.omega - 4 * next.error;
-    if (to > from) return {requested.a, 0.5 * (from + to)};
+    if (to > from) return {requested.a, std::min(0.5 * (from + to), requested.b)};
   }
   return requested;
+}
+
+void require_options(const ModesOptions& options) {
+  require_window(options.window);
+  if (options.lowest && *options.lowest < 1) throw std::invalid_argument("lowest: at least 1 mode must be asked for");
 }
 
 ModesResult result_of(const SolvedSystem& s, const ModesOptions& options) {
@@ -121,12 +127,12 @@ std::string_view word(CoverageStatus status) {
 }
 
 ModesResult find_modes(const System& system, const ModesOptions& options) {
-  require_window(options.window);
+  require_options(options);
   return result_of(solve_components(system, options.structure, options.method), options);
 }
 
 ModesResult find_modes(const FirstOrderSystem& system, const ModesOptions& options) {
-  require_window(options.window);
+  require_options(options);
   return result_of(solve_components(system, options.structure, options.method), options);
 }
 
