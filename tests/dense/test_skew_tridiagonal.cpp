@@ -1,4 +1,5 @@
 // The skew tridiagonalisation against its slow twins: Z = Q T Qᵀ rebuilt, Q orthogonal, and the product kernel against the product.
+#include "gyromode/dense/skew_multiply.h"
 #include "gyromode/dense/skew_tridiagonal.h"
 
 #include <gtest/gtest.h>

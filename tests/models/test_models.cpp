@@ -31,7 +31,7 @@ TEST_P(ShippedModel, HasItsKnownValues) {
   for (std::size_t i = 0; i < r.modes.size(); ++i) EXPECT_NEAR(r.modes[i].omega, model.known.frequencies[i], 2e-13 * model.known.frequencies[i]);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedModel, testing::ValuesIn(shipped()), [](const auto& info) { return info.param.stem().string(); });
+INSTANTIATE_TEST_SUITE_P(All, ShippedModel, testing::ValuesIn(shipped()), [](const auto& file) { return file.param.stem().string(); });
 
 }  // namespace
 }  // namespace gyromode

@@ -71,7 +71,7 @@ void solve_companion(const SecondOrder& m, Spectrum& s) {
   if (d.zero > 0) {
     Matrix null = d.null_space;
     normal.to_normal(null);
-    const Deflation deflation = deflate(form, {null, d.zero, d.negative});
+    const Deflation deflation = deflate(form, {null, d.zero, d.negative, 1e-12 / std::max(d.margin, 1e-4)});
     s.reduced_negative = deflation.negative;
     s.impedance_negative = deflation.ignorable + deflation.negative + deflation.gyroscopic_null.cols() / 2;
     s.zero_shapes.resize(n, deflation.zero_pairs);

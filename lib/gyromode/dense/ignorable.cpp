@@ -6,6 +6,7 @@
 #include "gyromode/lapack/triangular.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace gyromode::dense {
@@ -17,11 +18,13 @@ Matrix orthonormal(const Matrix& a) { return lapack::orthogonal_completion(a).le
 // Eigenvalues of k up to the threshold are zero. In mass-normalised coordinates all entries have the unit of ω², and what a reduction should have
 // made zero is rounding of ‖k‖ + ‖Γ‖²: an equilibration would blow it up.
 NullBasis normwise(const Matrix& k, double threshold) {
-  if (k.rows() == 0) return {Matrix(0, 0), 0, 0};
+  if (k.rows() == 0) return {Matrix(0, 0), 0, 0, 0};
   const auto e = lapack::symmetric_eigen(k);
   const Index negative = (e.values.array() < -threshold).count();
   const Index zero = (e.values.array() <= threshold).count() - negative;
-  return {e.vectors.middleCols(negative, zero), zero, negative};
+  double gap = e.values.cwiseAbs().maxCoeff();
+  for (const double lambda : e.values) gap = std::abs(lambda) > threshold ? std::min(gap, std::abs(lambda)) : gap;
+  return {e.vectors.middleCols(negative, zero), zero, negative, gap > 0 ? threshold / gap : 0};
 }
 
 NullBasis null_basis(const NormalForm& form, double threshold) {
@@ -30,14 +33,14 @@ NullBasis null_basis(const NormalForm& form, double threshold) {
   const Index p = form.split;
   const NullBasis one = normwise(form.k.topLeftCorner(p, p), threshold);
   const NullBasis two = normwise(form.k.bottomRightCorner(n - p, n - p), threshold);
-  NullBasis basis{Matrix::Zero(n, one.first + two.first), one.first, one.negative + two.negative};
+  NullBasis basis{Matrix::Zero(n, one.first + two.first), one.first, one.negative + two.negative, std::max(one.error, two.error)};
   basis.vectors.topLeftCorner(p, one.first) = one.vectors;
   basis.vectors.bottomRightCorner(n - p, two.first) = two.vectors;
   return basis;
 }
 
 // null(k) = N₀ ⊕ N_g by the singular values of NᵀΓN (its off-diagonal block where there is a partition); those up to
-// 8 n ε ‖Γ‖ are zero.
+// 8 n ε ‖Γ‖, or what the error of N makes of ‖Γ‖, are zero.
 struct NullSplit {
   Matrix n0;
   Matrix ng;
@@ -45,7 +48,8 @@ struct NullSplit {
 
 NullSplit split_null(const NormalForm& form, const NullBasis& basis) {
   const Matrix& all = basis.vectors;
-  const double threshold = 8 * static_cast<double>(form.size()) * std::numeric_limits<double>::epsilon() * form.gamma.norm();
+  const double relative = std::max(8 * static_cast<double>(form.size()) * std::numeric_limits<double>::epsilon(), std::min(basis.error, 1e-8));
+  const double threshold = relative * form.gamma.norm();
   const bool blocks = form.quadrature();
   const Matrix left = blocks ? Matrix(all.leftCols(basis.first)) : all;
   const Matrix right = blocks ? Matrix(all.rightCols(all.cols() - basis.first)) : all;

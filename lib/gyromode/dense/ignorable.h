@@ -11,6 +11,7 @@ struct NullBasis {
   Matrix vectors;      ///< n × r, spanning null(k); with a partition each column lies in one group
   Index first = 0;     ///< how many lie in the first group
   Index negative = 0;  ///< n₋(k)
+  double error = 0;    ///< of the vectors: rounding over the distance to the other eigenvalues
 };
 
 /// Exact removal of the zero roots of a singular system (Routh's ignorable coordinates).

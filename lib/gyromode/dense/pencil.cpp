@@ -86,6 +86,7 @@ std::vector<PencilRoot> self_adjoint_pencil(const ComplexMatrix& a, const Comple
     if (beta.minCoeff() > 0) return definite_pencil(a, eb, 1);
     if (beta.maxCoeff() < 0) return definite_pencil(a, eb, -1);
   }
+  if (!(weakest > 8 * static_cast<double>(a.rows()) * std::numeric_limits<double>::epsilon() * strongest)) return {};
   return indefinite_pencil(a, b);
 }
 
