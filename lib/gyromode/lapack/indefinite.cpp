@@ -10,6 +10,8 @@ namespace gyromode::lapack {
 
 namespace {
 
+constexpr Index spare_columns = 8;
+
 // info > 0 of ?sytrf says that a block of D is exactly zero: the factorisation is complete, the inertia has a zero.
 template <class Scalar, class Routine>
 IndefiniteFactor<Scalar> factorise(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> a, Routine routine, const char* name) {
@@ -45,10 +47,32 @@ double estimated_condition(const IndefiniteFactor<Scalar>& f, double norm, Routi
 }  // namespace
 
 IndefiniteFactor<double> factor_indefinite(Matrix a) { return factorise<double>(std::move(a), LAPACKE_dsytrf, "dsytrf"); }
-IndefiniteFactor<Complex> factor_indefinite(ComplexMatrix a) { return factorise<Complex>(std::move(a), LAPACKE_zhetrf, "zhetrf"); }
+
+// zgemv of OpenBLAS 0.3.21 (Haswell kernel) reads a column beyond the end of the matrix it is given, and zhetrf gives it A and the workspace: both get
+// columns to spare.
+IndefiniteFactor<Complex> factor_indefinite(ComplexMatrix a) {
+  const Index n = a.rows();
+  const auto with_spare_workspace = [n](int layout, char part, int order, Complex* matrix, int stride, int* pivots) {
+    constexpr int block = 64;
+    ComplexVector work = ComplexVector::Zero(n * (block + spare_columns));
+    return LAPACKE_zhetrf_work(layout, part, order, matrix, stride, pivots, work.data(), order * block);
+  };
+  a.conservativeResizeLike(ComplexMatrix::Zero(n, n + spare_columns));
+  return factorise<Complex>(std::move(a), with_spare_workspace, "zhetrf");
+}
+
 
 Matrix solve(const IndefiniteFactor<double>& f, Matrix b) { return back_substitute(f, std::move(b), LAPACKE_dsytrs, "dsytrs"); }
-ComplexMatrix solve(const IndefiniteFactor<Complex>& f, ComplexMatrix b) { return back_substitute(f, std::move(b), LAPACKE_zhetrs, "zhetrs"); }
+ComplexMatrix solve(const IndefiniteFactor<Complex>& f, ComplexMatrix b) {
+  const Index columns = b.cols();
+  b.conservativeResizeLike(ComplexMatrix::Zero(b.rows(), columns + spare_columns));
+  const int count = dimension(columns, "zhetrs");
+  const auto of_given = [count](int layout, char part, int order, int, const Complex* factor, int stride, const int* pivots, Complex* x, int x_stride) {
+    return LAPACKE_zhetrs_work(layout, part, order, count, factor, stride, pivots, x, x_stride);
+  };
+  return back_substitute(f, std::move(b), of_given, "zhetrs").leftCols(columns);
+}
+
 
 double reciprocal_condition(const IndefiniteFactor<double>& f, double norm) { return estimated_condition(f, norm, LAPACKE_dsycon, "dsycon"); }
 double reciprocal_condition(const IndefiniteFactor<Complex>& f, double norm) { return estimated_condition(f, norm, LAPACKE_zhecon, "zhecon"); }

@@ -9,7 +9,7 @@ namespace gyromode::lapack {
 /// A = P L D Lᴴ Pᵀ with D of 1 × 1 and 2 × 2 blocks (Bunch–Kaufman, lower triangle): dsytrf, zhetrf.
 template <class Scalar>
 struct IndefiniteFactor {
-  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> factor;
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> factor;  ///< L and D in the first n columns of n rows
   std::vector<int> pivots;  ///< LAPACK's ipiv: two equal negative numbers mark a 2 × 2 block
 };
 
