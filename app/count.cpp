@@ -1,12 +1,9 @@
 #include "errors.h"
 #include "exit_code.h"
-#include "input.h"
-#include "output.h"
+#include "job.h"
 #include "verbs.h"
 
 #include "gyromode/modes/count.h"
-
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -22,15 +19,11 @@ struct Options {
 
 int run(const Options& o) {
   if (!o.window.given()) throw UsageError("count needs a window: --below W or --window A:B");
-  Stopwatch watch;
-  const io::Model model = o.source.read();
-  if (o.source.coupling_tolerance > 0) o.output.say(fmt::format("couplings up to {:.2g} of the largest entry are left out, as asked", o.source.coupling_tolerance));
-  io::Timings timings;
-  timings.read = watch.lap();
+  Job job(o.source);
+  o.source.remark_on_tolerance(o.output);
   const Window window = o.window.read();
-  const CountResult result = std::visit([&](const auto& system) { return count_modes(system, window, o.source.structure()); }, model.system);
-  timings.solve = watch.lap();
-  o.output.write(document(model, result, timings, o.output.chosen()));
+  const CountResult result = job.solve([&](const auto& system) { return count_modes(system, window, o.source.structure()); });
+  o.output.write(document(job.model(), result, job.timings(), o.output.chosen()));
   if (result.status == CountStatus::exact) return done;
   o.output.say(result.status == CountStatus::signed_only
                    ? "only the signed count is known: the index balance of this indefinite K does not close"

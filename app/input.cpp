@@ -33,6 +33,10 @@ io::Model ModelSource::read() const {
   return io::read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness);
 }
 
+void ModelSource::remark_on_tolerance(const OutputOption& output) const {
+  if (coupling_tolerance > 0) output.say(fmt::format("couplings up to {:.2g} of the largest entry are left out, as asked", coupling_tolerance));
+}
+
 void WindowOption::add_to(CLI::App& verb) {
   auto* b = verb.add_option("--below", below, "Modes with ω in [0, W); rad/s, or 5Hz, 300rpm")->type_name("W");
   auto* w = verb.add_option("--window", window, "Modes with ω in [A, B); each bound in rad/s or with its own unit, B may be left out")->type_name("A:B");

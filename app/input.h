@@ -1,5 +1,7 @@
 #pragma once
 
+#include "output.h"
+
 #include "gyromode/io/model.h"
 #include "gyromode/modes/window.h"
 #include "gyromode/structure/structure.h"
@@ -19,6 +21,8 @@ struct ModelSource {
   /// `tolerant`: with --coupling-tolerance, for verbs that look at the structure.
   void add_to(CLI::App& verb, bool tolerant = true);
   io::Model read() const;
+  /// Says on stderr that couplings are left out, for verbs whose result does not.
+  void remark_on_tolerance(const OutputOption& output) const;
   StructureOptions structure() const { return {coupling_tolerance}; }
 };
 

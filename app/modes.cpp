@@ -1,7 +1,6 @@
 #include "errors.h"
 #include "exit_code.h"
-#include "input.h"
-#include "output.h"
+#include "job.h"
 #include "verbs.h"
 
 #include "gyromode/modes/modes.h"
@@ -37,19 +36,15 @@ dense::Method method_named(const std::string& name) {
 }
 
 int run(const Options& o) {
-  Stopwatch watch;
-  const io::Model model = o.source.read();
-  io::Timings timings;
-  timings.read = watch.lap();
+  Job job(o.source);
   ModesOptions options;
   options.method = method_named(o.method);
   options.window = o.window.read();
   options.lowest = o.lowest;
   options.shapes = o.shapes;
   options.structure = o.source.structure();
-  const ModesResult result = std::visit([&](const auto& system) { return find_modes(system, options); }, model.system);
-  timings.solve = watch.lap();
-  o.output.write(document(model, result, timings, o.output.chosen()));
+  const ModesResult result = job.solve([&](const auto& system) { return find_modes(system, options); });
+  o.output.write(document(job.model(), result, job.timings(), o.output.chosen()));
   const Coverage& c = result.coverage;
   if (c.window.a != c.requested.a || (c.window.b != c.requested.b && !o.lowest)) {
     o.output.say(fmt::format("an end of the window falls on a mode: [{:.17g}, {:.17g}) rad/s was used", c.window.a, c.window.b));

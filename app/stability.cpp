@@ -1,12 +1,9 @@
 #include "errors.h"
 #include "exit_code.h"
-#include "input.h"
-#include "output.h"
+#include "job.h"
 #include "verbs.h"
 
 #include "gyromode/modes/modes.h"
-
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -20,16 +17,12 @@ struct Options {
 };
 
 int run(const Options& o) {
-  Stopwatch watch;
-  const io::Model model = o.source.read();
-  if (o.source.coupling_tolerance > 0) o.output.say(fmt::format("couplings up to {:.2g} of the largest entry are left out, as asked", o.source.coupling_tolerance));
-  io::Timings timings;
-  timings.read = watch.lap();
+  Job job(o.source);
+  o.source.remark_on_tolerance(o.output);
   ModesOptions options;
   options.structure = o.source.structure();
-  const ModesResult result = std::visit([&](const auto& system) { return find_modes(system, options); }, model.system);
-  timings.solve = watch.lap();
-  o.output.write(stability_document(model, result, timings, o.output.chosen()));
+  const ModesResult result = job.solve([&](const auto& system) { return find_modes(system, options); });
+  o.output.write(stability_document(job.model(), result, job.timings(), o.output.chosen()));
   if (result.stability != Stability::unknown) return done;
   o.output.say("the verdict is unknown: the index balance does not close");
   return not_certified;

@@ -1,12 +1,12 @@
 #include "errors.h"
 #include "exit_code.h"
-#include "input.h"
-#include "output.h"
+#include "job.h"
 #include "verbs.h"
 
 #include "gyromode/structure/definiteness.h"
 
 #include <memory>
+#include <type_traits>
 
 namespace gyromode::app {
 
@@ -25,25 +25,17 @@ Stiffness described(const System& s) {
 Stiffness described(const FirstOrderSystem&) { return {}; }
 
 int run(const Options& o) {
-  Stopwatch watch;
-  const io::Model model = o.source.read();
-  io::Timings timings;
-  timings.read = watch.lap();
-  io::StructureReport report;
-  report.coupling_tolerance = o.source.coupling_tolerance;
-  report.stiffness_applies = std::holds_alternative<System>(model.system);
-  std::visit(
-      [&](const auto& system) {
-        report.structure = analyse(system, o.source.structure());
-        report.stiffness = described(system);
-        if (!o.at.empty()) {
-          const auto solved = without_ignored_couplings(system, o.source.structure());
-          report.at = transformation_at(solved, report.structure, frequency_option("--at", o.at));
-        }
-      },
-      model.system);
-  timings.solve = watch.lap();
-  o.output.write(document(model, report, timings, o.output.chosen()));
+  Job job(o.source);
+  const io::StructureReport report = job.solve([&](const auto& system) {
+    io::StructureReport r;
+    r.coupling_tolerance = o.source.coupling_tolerance;
+    r.stiffness_applies = std::is_same_v<std::decay_t<decltype(system)>, System>;
+    r.structure = analyse(system, o.source.structure());
+    r.stiffness = described(system);
+    if (!o.at.empty()) r.at = transformation_at(without_ignored_couplings(system, o.source.structure()), r.structure, frequency_option("--at", o.at));
+    return r;
+  });
+  o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
   return done;
 }
 

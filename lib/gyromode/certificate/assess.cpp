@@ -96,6 +96,8 @@ Assessment measured(const Impedance& h, dense::Spectrum& s, const Products& p) {
 
 }  // namespace
 
+double backward_error(Index n) { return 4 * static_cast<double>(std::max<Index>(n, 2)) * epsilon; }
+
 Assessment assess(const Impedance& h, dense::Spectrum& s) {
   const Products p = products(h, s);
   for (Index i = 0; i < s.omega.size(); ++i) s.omega(i) = functional(h, s, p, i).corrected(s.omega(i));

@@ -4,6 +4,9 @@
 
 namespace gyromode {
 
+/// 4 n ε (n at least 2): a backward error of this size, relative to ‖K‖ + ω‖G‖ + ω²‖M‖, is within what reading and solving the model may have done.
+double backward_error(Index n);
+
 /// What is measured of every root of a Spectrum on the matrices as they were given.
 struct Assessment {
   Vector residual;      ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂), 1-norms of matrices

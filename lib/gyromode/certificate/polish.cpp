@@ -3,7 +3,6 @@
 #include "gyromode/dense/refine.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace gyromode {
 
@@ -34,7 +33,7 @@ std::vector<std::vector<Index>> poor_groups(const dense::Spectrum& s, const Asse
 }  // namespace
 
 void polish(const Impedance& h, dense::Spectrum& s, Assessment& a, Index most) {
-  const double enough = 4 * static_cast<double>(std::max<Index>(s.size(), 2)) * std::numeric_limits<double>::epsilon();
+  const double enough = backward_error(s.size());
   constexpr int rounds = 3;  // a refined neighbour shrinks its interval, and a group may fall apart into roots that can be told from each other
   for (int round = 0; round < rounds; ++round) {
     bool changed = false;

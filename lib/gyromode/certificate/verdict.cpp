@@ -14,9 +14,6 @@ namespace gyromode {
 
 namespace {
 
-// A backward error of this size, relative to ‖K‖ + ω‖G‖ + ω²‖M‖, is within what reading and solving the model may have done.
-double backward_error(Index n) { return 4 * static_cast<double>(std::max<Index>(n, 2)) * std::numeric_limits<double>::epsilon(); }
-
 // Appends two modes at Im λ with the shape of the flutter root, phased so that the larger of its parts is as real as it can be.
 void return_to_axis(dense::Spectrum& s, Index k) {
   const double omega = s.flutter[static_cast<std::size_t>(k)].imag();

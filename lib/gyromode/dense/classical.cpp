@@ -71,11 +71,7 @@ void solve_companion(const SecondOrder& m, Spectrum& s) {
   if (d.zero > 0) {
     Matrix null = d.null_space;
     normal.to_normal(null);
-    const Deflation deflation = deflate(form, {null, d.zero, d.negative, 1e-12 / std::max(d.margin, 1e-4)});
-    s.reduced_negative = deflation.negative;
-    s.impedance_negative = deflation.ignorable + deflation.negative + deflation.gyroscopic_null.cols() / 2;
-    s.zero_shapes.resize(n, deflation.zero_pairs);
-    for (Index k = 0; k < deflation.zero_pairs; ++k) s.zero_shapes.col(k) = d.null_space.col(std::min(k, d.zero - 1));
+    store_zero_modes(deflate(form, {null, d.zero, d.negative, null_error(n, d.margin)}), d.null_space, s);
   }
   const auto e = lapack::general_eigen(companion_matrix(m));
   const auto kept = nonzero_roots(e.values, 2 * s.zero_pairs());
@@ -95,12 +91,7 @@ void solve_companion(const SecondOrder& m, Spectrum& s) {
   s.im = modes.shapes.imag();
   normal.to_physical(s.re);
   normal.to_physical(s.im);
-  Matrix flutter_re = s.flutter_shapes.real();
-  Matrix flutter_im = s.flutter_shapes.imag();
-  normal.to_physical(flutter_re);
-  normal.to_physical(flutter_im);
-  s.flutter_shapes.real() = flutter_re;
-  s.flutter_shapes.imag() = flutter_im;
+  normal.to_physical(s.flutter_shapes);
   s.path = "first-order companion form of order 2n (asked for)";
 }
 

@@ -1,12 +1,12 @@
 #include "gyromode/dense/indefinite.h"
 
+#include "gyromode/dense/basis.h"
 #include "gyromode/dense/pencil.h"
 #include "gyromode/lapack/general.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/triangular.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,6 @@ struct EvenPencil {
 struct Root {
   Complex lambda;
   ComplexVector w;
-  double form;
 };
 
 std::vector<Root> roots_of(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w, int depth);
@@ -38,15 +37,6 @@ ComplexMatrix times(const Matrix& a, const ComplexMatrix& x) {
 }
 
 lapack::GeneralEigen plain_eigen(const EvenPencil& p) { return lapack::general_eigen(Matrix(-p.s.partialPivLu().solve(p.e))); }
-
-Matrix real_span(const ComplexMatrix& w, const ComplexVector& lambda, const std::vector<Index>& group) {
-  Matrix span(w.rows(), static_cast<Index>(group.size()));
-  for (std::size_t k = 0; k < group.size(); ++k) {
-    const Index i = group[k];
-    span.col(static_cast<Index>(k)) = lambda(i).imag() < 0 ? Vector(w.col(i).imag()) : Vector(w.col(i).real());
-  }
-  return Eigen::HouseholderQR<Matrix>(span).householderQ() * Matrix::Identity(span.rows(), span.cols());
-}
 
 EvenPencil projected(const EvenPencil& p, const Matrix& v) {
   const Matrix s = lapack::multiply_tn(v, lapack::multiply(p.s, v));
@@ -68,7 +58,7 @@ bool agrees(const std::vector<PencilRoot>& found, const ComplexVector& lambda) {
 
 // Roots of one group with Im λ > 0 that may meet on the axis: the Hermitian pencil of 𝓔 and −j𝒮 on their span.
 bool resolve_group(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& vectors, std::vector<Root>& roots) {
-  const ComplexMatrix q = Eigen::HouseholderQR<ComplexMatrix>(vectors).householderQ() * ComplexMatrix::Identity(vectors.rows(), vectors.cols());
+  const ComplexMatrix q = orthonormal_basis(vectors);
   ComplexMatrix a = q.adjoint() * times(p.e, q);
   ComplexMatrix b = Complex(0, -1) * (q.adjoint() * times(p.s, q));
   a = 0.5 * (a + a.adjoint().eval());
@@ -77,7 +67,7 @@ bool resolve_group(const EvenPencil& p, const ComplexVector& lambda, const Compl
   if (!agrees(found, lambda)) return false;
   for (const PencilRoot& r : found) {
     if (r.value.imag() > 0) continue;  // ω and ω̄ are one quadruple: keep Re λ = −Im ω > 0
-    roots.push_back({Complex(-r.value.imag(), r.value.real()), q * r.y, r.form});
+    roots.push_back({Complex(-r.value.imag(), r.value.real()), q * r.y});
   }
   return true;
 }
@@ -85,7 +75,7 @@ bool resolve_group(const EvenPencil& p, const ComplexVector& lambda, const Compl
 // A group whose projection has lost its roots, as a defective one off the axis does: the plain roots, one of each quadruple.
 void keep_plain(const ComplexVector& lambda, const ComplexMatrix& vectors, std::vector<Root>& roots) {
   for (Index k = 0; k < lambda.size(); ++k) {
-    if (lambda(k).real() > 0) roots.push_back({lambda(k), vectors.col(k), 0});
+    if (lambda(k).real() > 0) roots.push_back({lambda(k), vectors.col(k)});
   }
 }
 
@@ -122,23 +112,19 @@ std::vector<std::vector<Index>> paired_groups(const EvenPencil& p, const Complex
   return groups;
 }
 
-void resolve_real(const ComplexVector& lambda, const ComplexMatrix& w, const EvenPencil& p, std::vector<Index>& real, std::vector<Root>& roots) {
+void resolve_real(const ComplexVector& lambda, const ComplexMatrix& w, const std::vector<Index>& real, std::vector<Root>& roots) {
   for (const Index i : real) {
-    if (lambda(i).real() <= 0) continue;
-    double partner = 0;  // w(−σ)ᵀ𝒮w(σ)
-    const Vector sw = p.s * w.col(i).real();
-    for (const Index k : real) partner = std::max(partner, std::abs(w.col(k).real().dot(sw)));
-    roots.push_back({lambda(i), w.col(i), partner});
+    if (lambda(i).real() > 0) roots.push_back({lambda(i), w.col(i)});
   }
 }
 
 // Roots below 1 % of the largest, in a basis of their span: the error of the plain eigenvalues is relative to the largest.
 void resolve_small(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w, const std::vector<Index>& small, std::vector<Root>& roots,
                    int depth) {
-  const Matrix v = real_span(w, lambda, small);
+  const Matrix v = real_basis(w, lambda, small);
   const EvenPencil inner = projected(p, v);
   const auto e = plain_eigen(inner);
-  for (Root& r : roots_of(inner, e.values, e.vectors, depth + 1)) roots.push_back({r.lambda, v * r.w, r.form});
+  for (Root& r : roots_of(inner, e.values, e.vectors, depth + 1)) roots.push_back({r.lambda, v * r.w});
 }
 
 // A limit within a factor 10 below `limit` that tears no pair or quadruple (roots of equal modulus) apart: the middle of the widest gap there, if it is
@@ -176,7 +162,7 @@ std::vector<Root> roots_of(const EvenPencil& p, const ComplexVector& lambda, con
     }
   }
   std::vector<Root> roots;
-  resolve_real(lambda, w, p, real, roots);
+  resolve_real(lambda, w, real, roots);
   for (const auto& group : paired_groups(p, lambda, w, upper)) {
     ComplexMatrix vectors(w.rows(), static_cast<Index>(group.size()));
     ComplexVector values(vectors.cols());

@@ -41,6 +41,15 @@ void MassNormal::to_physical(MatrixSpan z) const {
   z = scale_.asDiagonal() * z;
 }
 
+void MassNormal::to_physical(ComplexMatrix& z) const {
+  Matrix re = z.real();
+  Matrix im = z.imag();
+  to_physical(re);
+  to_physical(im);
+  z.real() = re;
+  z.imag() = im;
+}
+
 void MassNormal::to_normal(MatrixSpan q) const {
   q = scale_.cwiseInverse().asDiagonal() * q;
   lapack::multiply_lower_transposed(l_, q);

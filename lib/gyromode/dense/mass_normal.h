@@ -24,6 +24,7 @@ class MassNormal {
   Matrix stiffness_root(const Matrix& k) const;
   /// z := D L⁻ᵀ z, columns from normal to physical coordinates.
   void to_physical(MatrixSpan z) const;
+  void to_physical(ComplexMatrix& z) const;
   /// q := Lᵀ D⁻¹ q, the reverse.
   void to_normal(MatrixSpan q) const;
 

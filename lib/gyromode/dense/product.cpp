@@ -1,12 +1,12 @@
 #include "gyromode/dense/product.h"
 
+#include "gyromode/dense/basis.h"
 #include "gyromode/dense/pencil.h"
 #include "gyromode/lapack/general.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/triangular.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +21,10 @@ struct Product {
   Matrix sigma, sigma_inverse, eu, ev;
 };
 
-// One root μ = ω² with its u; `u` is real (imaginary part zero) for real μ.
+// One root μ = ω² with its unit vector u, which is real (imaginary part zero) for real μ.
 struct Root {
   Complex mu;
   ComplexVector u;
-  double form;  // uᵀE_u u for real μ; |uᵀE_u u| for complex μ; ‖u‖ = 1
 };
 
 // Σ⁻¹ E_u u = −v̇ for every column.
@@ -61,17 +60,6 @@ std::vector<std::vector<Index>> close_groups(const ComplexVector& mu, double gap
   return groups;
 }
 
-// A real orthonormal basis of the span of the given vectors, which holds the conjugates of complex ones: |group| columns.
-Matrix real_basis(const ComplexMatrix& vectors, const ComplexVector& mu, const std::vector<Index>& group) {
-  Matrix span(vectors.rows(), static_cast<Index>(group.size()));
-  for (std::size_t k = 0; k < group.size(); ++k) {
-    const Index i = group[k];
-    const bool second = mu(i).imag() < 0;
-    span.col(static_cast<Index>(k)) = second ? Vector(vectors.col(i).imag()) : Vector(vectors.col(i).real());
-  }
-  return Eigen::HouseholderQR<Matrix>(span).householderQ() * Matrix::Identity(span.rows(), span.cols());
-}
-
 bool resolve_group(const Product& p, const Matrix& basis, std::vector<Root>& roots) {
   const Matrix eu = lapack::multiply_tn(basis, lapack::multiply(p.eu, basis));
   const Matrix v = velocity(p, basis);
@@ -85,7 +73,7 @@ bool resolve_group(const Product& p, const Matrix& basis, std::vector<Root>& roo
       u = (u * std::conj(u(largest)) / std::abs(u(largest))).real().cast<Complex>();
       u.normalize();
     }
-    roots.push_back({r.value, u, r.form});
+    roots.push_back({r.value, u});
   }
   return !found.empty();
 }
@@ -94,9 +82,9 @@ std::vector<Root> roots_of(const Product& p, const Matrix& product, int depth);
 
 // The roots of the small group, solved by themselves in orthonormal bases U and V = Σ⁻¹E_u U of its two halves.
 void resolve_small(const Product& p, const Matrix& u, std::vector<Root>& roots, int depth) {
-  const Matrix v = Eigen::HouseholderQR<Matrix>(velocity(p, u)).householderQ() * Matrix::Identity(u.rows(), u.cols());
+  const Matrix v = orthonormal_basis(velocity(p, u));
   const Product small = projected(p, u, v);
-  for (Root& r : roots_of(small, product_matrix(small), depth + 1)) roots.push_back({r.mu, u * r.u, r.form});
+  for (Root& r : roots_of(small, product_matrix(small), depth + 1)) roots.push_back({r.mu, u * r.u});
 }
 
 std::vector<Root> roots_of(const Product& p, const Matrix& product, int depth) {
@@ -112,10 +100,9 @@ std::vector<Root> roots_of(const Product& p, const Matrix& product, int depth) {
     if (is_small) {
       small.insert(small.end(), group.begin(), group.end());
     } else if (group.size() == 1) {
-      const Vector u = e.vectors.col(group[0]).real();
-      roots.push_back({e.values(group[0]), u.cast<Complex>(), u.dot(p.eu * u)});
+      roots.push_back({e.values(group[0]), e.vectors.col(group[0])});
     } else if (!resolve_group(p, real_basis(e.vectors, e.values, group), roots)) {
-      for (const Index i : group) roots.push_back({e.values(i), e.vectors.col(i), 0});  // defective: the plain roots
+      for (const Index i : group) roots.push_back({e.values(i), e.vectors.col(i)});  // defective: the plain roots
     }
   }
   if (!small.empty()) resolve_small(p, real_basis(e.vectors, e.values, small), roots, depth);

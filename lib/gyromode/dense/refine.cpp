@@ -1,9 +1,9 @@
 #include "gyromode/dense/refine.h"
 
+#include "gyromode/dense/basis.h"
 #include "gyromode/dense/pencil.h"
 #include "gyromode/lapack/indefinite.h"
 
-#include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include <algorithm>
@@ -13,11 +13,6 @@
 namespace gyromode::dense {
 
 namespace {
-
-template <class AnyMatrix>
-AnyMatrix orthonormal(const AnyMatrix& y) {
-  return Eigen::HouseholderQR<AnyMatrix>(y).householderQ() * AnyMatrix::Identity(y.rows(), y.cols());
-}
 
 // Shapes of a group: real X* with a partition (X = T X*), complex X without.
 Matrix taken(const Spectrum& s, const std::vector<Index>& group, const Matrix&) {
@@ -138,7 +133,7 @@ bool refine_group(const Impedance& h, Spectrum& s, const std::vector<Index>& gro
     const auto pair = at(h, sigma, x);
     const AnyMatrix y = inverse_iterated(pair.value, AnyMatrix(pair.slope * x), 1);
     if (!y.allFinite()) return false;
-    x = orthonormal(y);
+    x = orthonormal_basis(y);
     const AnyMatrix a = x.adjoint() * (pair.value * x);
     const AnyMatrix b = x.adjoint() * (pair.slope * x);
     const auto as_complex = [](const AnyMatrix& m) { return ComplexMatrix((0.5 * (m + m.adjoint())).template cast<Complex>()); };
@@ -161,14 +156,18 @@ bool refine_group(const Impedance& h, Spectrum& s, const std::vector<Index>& gro
   if (roots.size() != group.size()) return false;
   std::sort(roots.begin(), roots.end(), [](const PencilRoot& p, const PencilRoot& q) { return p.value.real() < q.value.real(); });
   const double before = worst_residual<AnyMatrix>(h, s, group);
-  const Spectrum kept = s;
+  using AnyVector = Eigen::Matrix<typename AnyMatrix::Scalar, Eigen::Dynamic, 1>;
+  const Vector kept_omega = s.omega(group);
+  const AnyMatrix kept_shapes = taken(s, group, AnyMatrix());
   for (std::size_t k = 0; k < group.size(); ++k) {
     s.omega(group[k]) = sigma + roots[k].value.real();
-    const Eigen::Matrix<typename AnyMatrix::Scalar, Eigen::Dynamic, 1> shape = x * coefficients(roots[k].y, AnyMatrix());
-    stored(s, group[k], shape);
+    stored(s, group[k], AnyVector(x * coefficients(roots[k].y, AnyMatrix())));
   }
   if (worst_residual<AnyMatrix>(h, s, group) < before) return true;
-  s = kept;
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    s.omega(group[k]) = kept_omega(static_cast<Index>(k));
+    stored(s, group[k], AnyVector(kept_shapes.col(static_cast<Index>(k))));
+  }
   return false;
 }
 

@@ -37,15 +37,6 @@ void store_roots(Modes& modes, Spectrum& s) {
   s.flutter_shapes = std::move(modes.flutter_shapes);
 }
 
-void to_physical(const MassNormal& normal, ComplexMatrix& x) {
-  Matrix re = x.real();
-  Matrix im = x.imag();
-  normal.to_physical(re);
-  normal.to_physical(im);
-  x.real() = re;
-  x.imag() = im;
-}
-
 // ---- K regular -------------------------------------------------------------------------------------------------------
 
 void solve_regular_quadrature(const SecondOrder& m, const Definiteness& d1, const Definiteness& d2, Spectrum& s) {
@@ -68,8 +59,8 @@ void solve_regular_quadrature(const SecondOrder& m, const Definiteness& d1, cons
   if (s.flutter_shapes.cols() > 0) {
     ComplexMatrix x = s.flutter_shapes.topRows(p);
     ComplexMatrix y = s.flutter_shapes.bottomRows(r);
-    to_physical(first, x);
-    to_physical(second, y);
+    first.to_physical(x);
+    second.to_physical(y);
     s.flutter_shapes << x, y;
   }
 }
@@ -88,7 +79,7 @@ void solve_regular_general(const SecondOrder& m, const Definiteness& d, Spectrum
     s.re = modes.shapes.real();
     s.im = modes.shapes.imag();
     store_roots(modes, s);
-    to_physical(normal, s.flutter_shapes);
+    normal.to_physical(s.flutter_shapes);
     s.path = fmt::format("general, K indefinite ({} negative): eigenvalues of order 2n with the Hamiltonian pairing kept", d.negative);
   }
   normal.to_physical(s.re);
@@ -154,12 +145,12 @@ ComplexMatrix solve_reduced_general(const Deflation& d, Spectrum& s) {
 
 // Complex shapes of all rows, group by group.
 void to_physical(const SecondOrder& m, ComplexMatrix& x) {
-  if (m.split < 0) return to_physical(MassNormal(m.mass), x);
+  if (m.split < 0) return MassNormal(m.mass).to_physical(x);
   const Index r = m.size() - m.split;
   ComplexMatrix first = x.topRows(m.split);
   ComplexMatrix second = x.bottomRows(r);
-  to_physical(MassNormal(m.mass.topLeftCorner(m.split, m.split)), first);
-  to_physical(MassNormal(m.mass.bottomRightCorner(r, r)), second);
+  MassNormal(m.mass.topLeftCorner(m.split, m.split)).to_physical(first);
+  MassNormal(m.mass.bottomRightCorner(r, r)).to_physical(second);
   x << first, second;
 }
 
@@ -175,15 +166,9 @@ Matrix to_normal(const SecondOrder& m, Matrix q) {
   return q;
 }
 
-// Null vectors are as good as rounding over the gap to the other eigenvalues, and the congruence to normal coordinates costs some more.
-double null_error(Index n, double margin) { return 64 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() / std::max(margin, 1e-8); }
-
 void solve_singular(const SecondOrder& m, const Matrix& null_space, Index null_in_first, Spectrum& s) {
   const Deflation d = deflate(normal_form(m), {to_normal(m, null_space), null_in_first, s.stiffness_negative, null_error(m.size(), s.stiffness_margin)});
-  s.reduced_negative = d.negative;
-  s.impedance_negative = d.ignorable + d.negative + d.gyroscopic_null.cols() / 2;
-  s.zero_shapes.resize(m.size(), d.zero_pairs);
-  for (Index k = 0; k < d.zero_pairs; ++k) s.zero_shapes.col(k) = null_space.col(std::min(k, null_space.cols() - 1));
+  store_zero_modes(d, null_space, s);
   s.omega.resize(0);
   ComplexMatrix shapes(d.reduced.size(), 0);
   if (d.reduced.size() > 0) shapes = m.split < 0 ? solve_reduced_general(d, s) : solve_reduced_quadrature(d, s);
@@ -212,6 +197,15 @@ std::pair<Definiteness, Definiteness> stiffness_blocks(const SecondOrder& m) {
 }
 
 }  // namespace
+
+double null_error(Index n, double margin) { return 64 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() / std::max(margin, 1e-8); }
+
+void store_zero_modes(const Deflation& d, const Matrix& null_space, Spectrum& s) {
+  s.reduced_negative = d.negative;
+  s.impedance_negative = d.ignorable + d.negative + d.gyroscopic_null.cols() / 2;
+  s.zero_shapes.resize(null_space.rows(), d.zero_pairs);
+  for (Index k = 0; k < d.zero_pairs; ++k) s.zero_shapes.col(k) = null_space.col(std::min(k, null_space.cols() - 1));
+}
 
 void solve_second_order(const SecondOrder& m, Spectrum& s) {
   const auto [d1, d2] = stiffness_blocks(m);

@@ -62,7 +62,7 @@ struct SignedRoot {
 // Over all components: neighbours of opposite sign that a backward error of n ε makes coincide.
 bool opposite_roots_coincide(const SolvedSystem& s) {
   std::vector<SignedRoot> roots;
-  const double eta = 4 * static_cast<double>(std::max<Index>(s.size, 2)) * std::numeric_limits<double>::epsilon();
+  const double eta = backward_error(s.size);
   for (const SolvedComponent& c : s.components) {
     for (Index i = 0; i < c.spectrum.omega.size(); ++i) {
       roots.push_back({c.spectrum.omega(i), eta * c.assessment.sensitivity(i), c.verdict.energy_sign[static_cast<std::size_t>(i)]});

@@ -12,19 +12,17 @@ namespace {
 CountResult counted(const SolvedSystem& s, const Window& requested) {
   const Frequencies f(s);
   const Window window = cleared(requested, f);
-  const Coverage c = coverage(s, f, requested, window);
+  const WindowEnds ends = ends_of(s, f, window);
+  const Coverage c = coverage(s, f, requested, window, ends);
   CountResult r;
   r.window = window;
   r.requested = requested;
-  const Inertia low = window.a == 0 ? Inertia{s.negative_at_zero(), 0, 1} : s.negative_at(window.a);
-  const Index top = s.first_order ? 0 : s.size;
-  const Inertia high = window.open() ? Inertia{top, s.size - top, 1} : s.negative_at(window.b);
-  r.negative = {low.negative, high.negative};
-  r.signed_count = (s.first_order ? -1 : 1) * (high.negative - low.negative);
+  r.negative = {ends.low.negative, ends.high.negative};
+  r.signed_count = (s.first_order ? -1 : 1) * (ends.high.negative - ends.low.negative);
   for (const auto& e : f.entries) {
     if (e.position < 0 && window.contains(0)) ++r.zero;
   }
-  if (low.doubtful() || high.doubtful()) {
+  if (ends.low.doubtful() || ends.high.doubtful()) {
     r.status = CountStatus::doubtful;
   } else if (!c.counted) {
     r.status = CountStatus::signed_only;

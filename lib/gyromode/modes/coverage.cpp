@@ -28,13 +28,13 @@ struct Cut {
 };
 
 // Gaps of the window in which no root can be, with what n₋(H) must be there.
-std::vector<Cut> possible_cuts(const Frequencies& f, const Window& w, Index negative_below) {
+std::vector<Cut> possible_cuts(const Frequencies& f, const Window& w, Index at_zero, Index direction) {
   std::vector<Cut> cuts;
-  Index expected = negative_below;
+  Index expected = at_zero;
   for (std::size_t i = 0; i + 1 < f.entries.size(); ++i) {
     const auto& e = f.entries[i];
     const auto& next = f.entries[i + 1];
-    if (e.position >= 0) expected += e.energy_sign;
+    if (e.position >= 0) expected += direction * e.energy_sign;
     if (e.omega < w.a || next.omega >= w.b || next.position < 0) continue;
     const double from = e.omega + 4 * e.error;
     const double to = next.omega - 4 * next.error;
@@ -59,17 +59,6 @@ std::vector<Cut> chosen_cuts(std::vector<Cut> cuts) {
   return boundaries;
 }
 
-struct Endpoint {
-  Index negative = 0;
-  bool doubtful = false;
-};
-
-Endpoint lower_end(const SolvedSystem& s, double a) {
-  if (a == 0) return {s.negative_at_zero(), false};
-  const Inertia i = s.negative_at(a);
-  return {i.negative, i.doubtful()};
-}
-
 // A shape and frequency that leave a residual far above rounding are no mode, whatever the counts say.
 std::optional<std::string> not_an_eigenpair(const SolvedSystem& s, const Frequencies& f, const Window& window) {
   for (const auto& e : f.entries) {
@@ -90,12 +79,6 @@ double above_all(const SolvedSystem& s, const Frequencies& f) {
   return typical > 0 ? typical : 1;  // M alone: every ω is as good
 }
 
-// At an open end H(ω) is −ω²M, negative definite (ωI, positive definite, in first order); a factorisation just above the last mode shows that no mode is above it.
-Endpoint upper_end(const SolvedSystem& s, const Frequencies& f, double b) {
-  const Inertia i = s.negative_at(b == infinity ? above_all(s, f) : b);
-  return {i.negative, i.doubtful()};
-}
-
 }  // namespace
 
 Frequencies::Frequencies(const SolvedSystem& s) {
@@ -110,6 +93,11 @@ Frequencies::Frequencies(const SolvedSystem& s) {
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.omega < b.omega; });
 }
 
+// At an open end H(ω) is −ω²M, negative definite (ωI, positive definite, in first order); a factorisation just above the last mode shows that no mode is above it.
+WindowEnds ends_of(const SolvedSystem& s, const Frequencies& f, const Window& window) {
+  return {window.a == 0 ? Inertia{s.negative_at_zero(), 0, 1} : s.negative_at(window.a), s.negative_at(window.open() ? above_all(s, f) : window.b)};
+}
+
 Window cleared(const Window& requested, const Frequencies& f) {
   Window w = requested;
   for (auto e = f.entries.rbegin(); e != f.entries.rend() && w.a > 0; ++e) {  // downward
@@ -121,7 +109,7 @@ Window cleared(const Window& requested, const Frequencies& f) {
   return w;
 }
 
-Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& requested, const Window& window) {
+Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& requested, const Window& window, const WindowEnds& ends) {
   Coverage c{CoverageStatus::not_counted, window, requested, 0, std::nullopt, ""};
   Index zero = 0;
   Index negative_energy = 0;
@@ -137,9 +125,7 @@ Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& req
     c.reason = "the index balance does not close: negative-energy modes cannot all be accounted for";
     return c;
   }
-  const Endpoint low = lower_end(s, window.a);
-  const Endpoint high = upper_end(s, f, window.b);
-  if (low.doubtful || high.doubtful) {
+  if (ends.low.doubtful() || ends.high.doubtful()) {
     c.reason = "an endpoint of the window is on a root to rounding: move it";
     return c;
   }
@@ -150,21 +136,20 @@ Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& req
   }
   // In first order n₋(ωI − jG) falls from mode to mode; in second order it follows the energy signs.
   const Index direction = s.first_order ? -1 : 1;
-  const Index signed_count = direction * (high.negative - low.negative);
+  const Index signed_count = direction * (ends.high.negative - ends.low.negative);
   c.counted = signed_count + zero + 2 * negative_energy + undecided;  // an undecided pair is one + and one −
   if (*c.counted != c.found) {
     c.status = CoverageStatus::incomplete;
     c.reason = fmt::format("{} modes were found, the factorisations count {}", c.found, *c.counted);
     return c;
   }
-  Index below = s.negative_at_zero();
-  std::vector<Cut> cuts = possible_cuts(f, window, 0);
-  for (const Cut& cut : chosen_cuts(std::move(cuts))) {
+  const Index at_zero = window.a == 0 ? ends.low.negative : s.negative_at_zero();
+  for (const Cut& cut : chosen_cuts(possible_cuts(f, window, at_zero, direction))) {
     const Inertia i = s.negative_at(cut.omega);
-    if (i.doubtful() || i.negative == below + direction * cut.expected) continue;
+    if (i.doubtful() || i.negative == cut.expected) continue;
     c.status = CoverageStatus::incomplete;
     c.reason = fmt::format("below ω = {:.6g} the factorisations count {} fewer modes of positive than of negative energy than were found", cut.omega,
-                           below + direction * cut.expected - i.negative);
+                           cut.expected - i.negative);
     return c;
   }
   c.status = CoverageStatus::complete;

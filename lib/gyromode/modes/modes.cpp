@@ -93,7 +93,7 @@ ModesResult result_of(const SolvedSystem& s, const ModesOptions& options) {
   r.index_balance = s.index_balance();
   Window window = options.lowest ? lowest_window(s, f, *options.lowest, options.window) : options.window;
   window = cleared(window, f);
-  r.coverage = coverage(s, f, options.window, window);
+  r.coverage = coverage(s, f, options.window, window, ends_of(s, f, window));
   r.opposite_gap = std::numeric_limits<double>::infinity();
   for (const SolvedComponent& c : s.components) {
     for (const double sigma : c.spectrum.divergence) r.unstable.push_back({sigma, 0});

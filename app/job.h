@@ -1,0 +1,35 @@
+#pragma once
+
+#include "input.h"
+#include "output.h"
+
+#include "gyromode/io/document.h"
+
+#include <utility>
+#include <variant>
+
+namespace gyromode::app {
+
+/// What every verb on a model does: read it, work on it, and know how long each took.
+class Job {
+ public:
+  explicit Job(const ModelSource& source) : model_(source.read()) { timings_.read = watch_.lap(); }
+
+  const io::Model& model() const { return model_; }
+  const io::Timings& timings() const { return timings_; }
+
+  /// The result of `work` on the system, second or first order; its time counts as solving.
+  template <class Work>
+  auto solve(Work&& work) {
+    auto result = std::visit(std::forward<Work>(work), model_.system);
+    timings_.solve = watch_.lap();
+    return result;
+  }
+
+ private:
+  Stopwatch watch_;
+  io::Model model_;
+  io::Timings timings_;
+};
+
+}  // namespace gyromode::app

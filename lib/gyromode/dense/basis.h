@@ -1,0 +1,28 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+#include <Eigen/QR>
+
+#include <vector>
+
+namespace gyromode::dense {
+
+/// An orthonormal basis of the columns of y (n × c, c ≤ n, full rank), real or complex.
+template <class AnyMatrix>
+AnyMatrix orthonormal_basis(const AnyMatrix& y) {
+  return Eigen::HouseholderQR<AnyMatrix>(y).householderQ() * AnyMatrix::Identity(y.rows(), y.cols());
+}
+
+/// A real orthonormal basis, |group| columns, of the span of the eigenvectors of a real matrix at the positions `group`, which holds the conjugate of every
+/// complex one: of a pair the vector with Im > 0 gives its real part, the other its imaginary part.
+inline Matrix real_basis(const ComplexMatrix& vectors, const ComplexVector& values, const std::vector<Index>& group) {
+  Matrix span(vectors.rows(), static_cast<Index>(group.size()));
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    const Index i = group[k];
+    span.col(static_cast<Index>(k)) = values(i).imag() < 0 ? Vector(vectors.col(i).imag()) : Vector(vectors.col(i).real());
+  }
+  return orthonormal_basis(span);
+}
+
+}  // namespace gyromode::dense
