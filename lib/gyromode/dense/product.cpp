@@ -117,11 +117,12 @@ QuadratureModes collected(const QuadratureForm& form, std::vector<Root> roots) {
   for (const Root& root : roots) {
     if (root.mu.imag() == 0 && root.mu.real() > 0) vibrations.push_back(&root);
     if (root.mu.imag() == 0 && root.mu.real() < 0) modes.divergence.push_back(std::sqrt(-root.mu.real()));
-    if (root.mu.imag() > 0) {  // λ = ±j√μ, and the conjugates from μ̄: one quadruple
-      const Complex frequency = std::sqrt(root.mu);
-      modes.flutter.emplace_back(std::abs(frequency.imag()), std::abs(frequency.real()));
-      ComplexVector shape = root.u;  // (x, ẏ), ẏ = λy with λ² = −μ
-      shape.tail(r) /= Complex(0, 1) * frequency;
+    if (root.mu.imag() > 0) {  // λ² = −μ and −μ̄: one quadruple. Its λ = σ + jω with σ, ω > 0 has λ² = −μ̄, so the vector ū
+      const Complex frequency = std::sqrt(root.mu);  // ω + jσ
+      const Complex lambda(frequency.imag(), frequency.real());
+      modes.flutter.push_back(lambda);
+      ComplexVector shape = root.u.conjugate();  // (x, ẏ), ẏ = λy
+      shape.tail(r) /= lambda;
       modes.flutter_shapes.conservativeResize(p + r, modes.flutter_shapes.cols() + 1);
       modes.flutter_shapes.rightCols(1) = shape;
     }
