@@ -14,7 +14,7 @@ namespace {
 
 // The columns [from, to) of the lower triangle `a` (n × n, leading dimension `stride`) and their mirror images.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)
-__attribute__((target_clones("arch=haswell", "default"), optimize("O3", "fast-math")))
+__attribute__((target_clones("arch=x86-64-v3", "default"), optimize("O3", "fast-math")))
 #endif
 void multiply_columns(const double* a, Index stride, Index n, Index from, Index to, const double* v, double* y) {
   std::fill(y, y + n, 0.0);
