@@ -43,7 +43,7 @@ Matrix tridiagonal(const Vector& beta) {
 
 Matrix orthogonal_factor(const SkewTridiagonal& s) {
   Matrix q = Matrix::Identity(s.size(), s.size());
-  s.multiply_right(q);
+  lapack::multiply_right(q, s.q());
   return q;
 }
 
@@ -174,7 +174,7 @@ TEST(SkewTridiagonal, MultipliesFromTheRight) {
     for (const Index rows : {Index{1}, n / 2 + 1, n + 7}) {
       const Matrix x = gaussian(source, rows, n);
       Matrix xq = x;
-      s.multiply_right(xq);
+      lapack::multiply_right(xq, s.q());
       EXPECT_LE((xq - x * q).norm(), limit * static_cast<double>(n) * epsilon * x.norm()) << "n = " << n << ", rows = " << rows;
     }
   }

@@ -109,17 +109,17 @@ struct QuadratureCase {
 void compare_quadrature(Source& source, Index p, Index r, const QuadratureCase& c) {
   const Index n = p + r;
   const std::string where = "p = " + std::to_string(p) + ", r = " + std::to_string(r);
-  QuadratureForm form{source.gaussian(p, r), source.symmetric(p, c.negative1), source.symmetric(r, c.negative2), {}, {}, {}, {}};
-  form.null1 = Matrix(p, 0);
-  form.null2 = Matrix(r, 0);
-  if (c.root1) form.f1 = lower_root(form.k1);
-  if (c.root2) form.f2 = lower_root(form.k2);
+  const auto block = [](const Matrix& k, bool root) { return root ? StiffnessBlock(k, lower_root(k)) : StiffnessBlock(k); };
+  const Matrix b = source.gaussian(p, r);
+  const Matrix k1 = source.symmetric(p, c.negative1);
+  const Matrix k2 = source.symmetric(r, c.negative2);
+  const QuadratureForm form{b, block(k1, c.root1), block(k2, c.root2)};
   Matrix gamma = Matrix::Zero(n, n);
   gamma.topRightCorner(p, r) = form.b;
   gamma.bottomLeftCorner(r, p) = -form.b.transpose();
   Matrix k = Matrix::Zero(n, n);
-  k.topLeftCorner(p, p) = form.k1;
-  k.bottomRightCorner(r, r) = form.k2;
+  k.topLeftCorner(p, p) = k1;
+  k.bottomRightCorner(r, r) = k2;
   const QuadratureModes m = quadrature_modes(form);
   EXPECT_LE(worst_root(gamma, k, all_roots(m.omega, m.divergence, m.flutter)), 4) << where << ": " << m.path;
   ComplexMatrix x(n, m.omega.size());
@@ -145,9 +145,8 @@ TEST(QuadratureModes, AgreeWithTheCompanionMatrix) {
 
 // Frequencies over six decades: C keeps what W loses. Closed form for b = 0: the square roots of k.
 TEST(QuadratureModes, SmallFrequenciesBySingularValues) {
-  QuadratureForm form{Matrix::Zero(2, 2), Matrix(Vector{{1e-12, 1}}.asDiagonal()), Matrix(Vector{{1e-10, 4}}.asDiagonal()), {}, {}, Matrix(2, 0), Matrix(2, 0)};
-  form.f1 = Matrix(form.k1.cwiseSqrt());
-  form.f2 = Matrix(form.k2.cwiseSqrt());
+  const auto diagonal = [](double a, double b) { return Matrix(Vector{{a, b}}.asDiagonal()); };
+  const QuadratureForm form{Matrix::Zero(2, 2), {diagonal(1e-12, 1), diagonal(1e-6, 1)}, {diagonal(1e-10, 4), diagonal(1e-5, 2)}};
   const QuadratureModes m = quadrature_modes(form);
   EXPECT_NE(m.path.find("singular values of C"), std::string::npos);
   EXPECT_NEAR(m.omega(0), 1e-6, 4 * epsilon);

@@ -287,10 +287,10 @@ void expect_svd(const Matrix& a, const SingularValues& s, const std::string& wha
   const double unit = 20 * real(a.rows() + a.cols() + 1) * epsilon;
   ASSERT_EQ(s.values.size(), r) << what;
   ASSERT_EQ(s.u.rows(), a.rows()) << what;
-  ASSERT_EQ(s.v.rows(), a.cols()) << what;
+  ASSERT_EQ(s.vt.cols(), a.cols()) << what;
   expect_orthonormal(s.u, what + " U");
-  expect_orthonormal(s.v, what + " V");
-  expect_small(Matrix(a - s.u * s.values.asDiagonal() * s.v.transpose()), unit * a.norm(), what + " A = U Σ Vᵀ");
+  expect_orthonormal(s.vt.transpose(), what + " V");
+  expect_small(Matrix(a - s.u * s.values.asDiagonal() * s.vt), unit * a.norm(), what + " A = U Σ Vᵀ");
   EXPECT_TRUE(std::is_sorted(s.values.begin(), s.values.end(), std::greater<>())) << what;
   EXPECT_TRUE((s.values.array() >= 0).all()) << what;
   if (r > 0) expect_small(Vector(s.values - Eigen::JacobiSVD<Matrix>(a).singularValues()), unit * a.norm(), what + " twin");
@@ -406,7 +406,7 @@ TEST(Status, FailuresSayWhatLapackSays) {
   EXPECT_EQ(refusal<Failure>([] { require_success(7, "dgeev", "no convergence"); }), "dgeev: no convergence (info = 7)");
   EXPECT_THROW(require_success(-1010, "dsyevd", ""), std::bad_alloc);
   EXPECT_THROW(require_success(-1011, "dsyevd", ""), std::bad_alloc);
-  EXPECT_EQ(refusal<Failure>([] { symmetric_eigen(Matrix::Constant(2, 2, nan)); }), "dsyevd: argument 5 was refused (not finite, or out of range)");
+  EXPECT_EQ(refusal<Failure>([] { symmetric_eigen(Matrix::Constant(2, 2, nan)); }), "dsytrd: argument 4 was refused (not finite, or out of range)");
   EXPECT_EQ(refusal<Failure>([] { symmetric_definite_eigen(Matrix::Identity(2, 2), Matrix{{1, 2}, {2, 1}}); }),
             "dsygvd: the right-hand matrix is not positive definite (info = 4)");
 }

@@ -3,6 +3,7 @@
 #include "gyromode/dense/ignorable.h"
 #include "gyromode/dense/indefinite.h"
 #include "gyromode/dense/mass_normal.h"
+#include "gyromode/dense/singular_stiffness.h"
 #include "gyromode/lapack/general.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/symmetric.h"
@@ -19,15 +20,6 @@
 namespace gyromode::dense {
 
 namespace {
-
-Definiteness describe_stiffness(const SecondOrder& m, Spectrum& s) {
-  Definiteness d = definiteness(m.stiffness);
-  s.stiffness_negative = s.reduced_negative = s.impedance_negative = d.negative;
-  s.stiffness_zero = d.zero;
-  s.stiffness_margin = d.margin;
-  s.zero_shapes.resize(m.size(), 0);
-  return d;
-}
 
 Matrix companion_matrix(const SecondOrder& m) {
   const Index n = m.size();
@@ -65,7 +57,8 @@ void append_group(const Matrix& y, const Matrix& g_star, Index n, std::vector<do
 
 void solve_companion(const SecondOrder& m, Spectrum& s) {
   const Index n = m.size();
-  const Definiteness d = describe_stiffness(m, s);
+  const Definiteness d = definiteness(m.stiffness);
+  s.store_stiffness(d);
   const MassNormal normal(m.mass);
   const NormalForm form{normal.gyroscopic(m.gyroscopic), normal.stiffness(m.stiffness)};
   if (d.zero > 0) {
@@ -97,7 +90,8 @@ void solve_companion(const SecondOrder& m, Spectrum& s) {
 
 void solve_symmetric_2n(const SecondOrder& m, Spectrum& s) {
   const Index n = m.size();
-  const Definiteness d = describe_stiffness(m, s);
+  const Definiteness d = definiteness(m.stiffness);
+  s.store_stiffness(d);
   if (d.sign() != Sign::positive) {
     throw MethodDoesNotApply(fmt::format("method 'symmetric-2n' (Meirovitch 1974) needs K positive definite: K has {} negative and {} zero eigenvalues; 'auto' "
                                          "applies",

@@ -24,7 +24,7 @@ void solve_partitioned(const Matrix& inertia, const Matrix& g, Spectrum& s) {
   const Index m = (svd.values.array() > rank_threshold(inertia.rows(), largest)).count();
   s.omega = svd.values.head(m).reverse();
   s.re = svd.u.leftCols(m).rowwise().reverse();
-  s.im = -svd.v.leftCols(m).rowwise().reverse();
+  s.im = -svd.vt.topRows(m).colwise().reverse().transpose();
   first.to_physical(s.re);
   second.to_physical(s.im);
   s.path = "first order, quadrature: singular values of L₁⁻¹BL₂⁻ᵀ (real, p × r)";
@@ -45,7 +45,7 @@ void solve_whole(const Matrix& inertia, const Matrix& g, Spectrum& s) {
 // An orthonormal basis of null(G), of the dimension that the count of modes leaves: the smallest eigenvalues of GᵀG.
 Matrix constant_solutions(const Matrix& g, Index count) {
   if (count == 0) return Matrix(g.rows(), 0);
-  return lapack::singular_value_decomposition(g).v.rightCols(count);
+  return lapack::singular_value_decomposition(g).vt.bottomRows(count).transpose();
 }
 
 }  // namespace

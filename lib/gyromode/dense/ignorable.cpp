@@ -61,7 +61,7 @@ NullSplit split_null(const NormalForm& form, const NullBasis& basis) {
   const auto svd = lapack::singular_value_decomposition(square);
   const Index rank = (svd.values.array() > threshold).count();
   const Matrix u = lapack::orthogonal_completion(svd.u.topLeftCorner(g.rows(), rank));
-  const Matrix v = lapack::orthogonal_completion(svd.v.topLeftCorner(g.cols(), rank));
+  const Matrix v = lapack::orthogonal_completion(svd.vt.topLeftCorner(rank, g.cols()).transpose());
   NullSplit s;
   if (blocks) {
     s.n0.resize(form.size(), g.rows() + g.cols() - 2 * rank);

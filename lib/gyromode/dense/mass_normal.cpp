@@ -55,4 +55,22 @@ void MassNormal::to_normal(MatrixSpan q) const {
   lapack::multiply_lower_transposed(l_, q);
 }
 
+void MassNormalGroups::to_physical(ComplexMatrix& z) const {
+  Index row = 0;
+  for (const MassNormal& group : groups_) {
+    ComplexMatrix part = z.middleRows(row, group.size());
+    group.to_physical(part);
+    z.middleRows(row, group.size()) = part;
+    row += group.size();
+  }
+}
+
+void MassNormalGroups::to_normal(Matrix& q) const {
+  Index row = 0;
+  for (const MassNormal& group : groups_) {
+    group.to_normal(q.middleRows(row, group.size()));
+    row += group.size();
+  }
+}
+
 }  // namespace gyromode::dense

@@ -2,6 +2,9 @@
 
 #include "gyromode/lapack/types.h"
 
+#include <utility>
+#include <vector>
+
 namespace gyromode::dense {
 
 /// Coordinates in which the mass matrix of a group is the unit matrix: q = D L⁻ᵀ z with D M D = L Lᵀ, D the power-of-two scaling to unit
@@ -31,6 +34,19 @@ class MassNormal {
  private:
   Vector scale_;
   Matrix l_;
+};
+
+/// The same for consecutive groups of coordinates that the mass matrix does not couple: one, or the two of a partition.
+class MassNormalGroups {
+ public:
+  explicit MassNormalGroups(std::vector<MassNormal> groups) : groups_(std::move(groups)) {}
+
+  /// Columns of all rows from normal to physical coordinates, and back.
+  void to_physical(ComplexMatrix& z) const;
+  void to_normal(Matrix& q) const;
+
+ private:
+  std::vector<MassNormal> groups_;
 };
 
 }  // namespace gyromode::dense

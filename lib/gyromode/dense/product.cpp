@@ -110,8 +110,8 @@ std::vector<Root> roots_of(const Product& p, const Matrix& product, int depth) {
 }
 
 QuadratureModes collected(const QuadratureForm& form, std::vector<Root> roots) {
-  const Index p = form.k1.rows();
-  const Index r = form.k2.rows();
+  const Index p = form.first.k().rows();
+  const Index r = form.second.k().rows();
   QuadratureModes modes;
   std::vector<const Root*> vibrations;
   for (const Root& root : roots) {
@@ -143,29 +143,29 @@ QuadratureModes collected(const QuadratureForm& form, std::vector<Root> roots) {
 }
 
 Product product_of(const QuadratureForm& form) {
-  const Index p = form.k1.rows();
-  const Index r = form.k2.rows();
+  const Index p = form.first.k().rows();
+  const Index r = form.second.k().rows();
   Product product;
   product.sigma = Matrix::Identity(p + r, p + r);
   product.sigma.topRightCorner(p, r) = form.b;
   product.sigma.bottomRightCorner(r, r) *= -1;
   product.sigma_inverse = product.sigma;
   product.eu = Matrix::Identity(p + r, p + r);
-  product.eu.topLeftCorner(p, p) = form.k1;
+  product.eu.topLeftCorner(p, p) = form.first.k();
   product.ev = Matrix::Identity(p + r, p + r);
-  product.ev.bottomRightCorner(r, r) = form.k2;
+  product.ev.bottomRightCorner(r, r) = form.second.k();
   return product;
 }
 
 // P of (T6), cheaper by its blocks.
 Matrix p_matrix(const QuadratureForm& form) {
-  const Index p = form.k1.rows();
-  const Index r = form.k2.rows();
+  const Index p = form.first.k().rows();
+  const Index r = form.second.k().rows();
   Matrix m(p + r, p + r);
-  m.topLeftCorner(p, p) = form.k1;
+  m.topLeftCorner(p, p) = form.first.k();
   m.topRightCorner(p, r) = form.b;
-  m.bottomLeftCorner(r, p) = lapack::multiply_tn(form.b, form.k1);
-  m.bottomRightCorner(r, r) = lapack::gram(form.b) + form.k2;
+  m.bottomLeftCorner(r, p) = lapack::multiply_tn(form.b, form.first.k());
+  m.bottomRightCorner(r, r) = lapack::gram(form.b) + form.second.k();
   return m;
 }
 
@@ -178,11 +178,11 @@ struct Regular {
 
 Regular without_zero_roots(const Product& p, const QuadratureForm& form) {
   const Index n = p.sigma.rows();
-  const Index s = form.null1.cols();
+  const Index s = form.first.null().cols();
   Matrix nu = Matrix::Zero(n, s);
   Matrix nv = Matrix::Zero(n, s);
-  nu.topRows(form.k1.rows()) = form.null1;
-  nv.bottomRows(form.k2.rows()) = form.null2;
+  nu.topRows(form.first.k().rows()) = form.first.null();
+  nv.bottomRows(form.second.k().rows()) = form.second.null();
   Matrix u = lapack::orthogonal_completion(lapack::multiply(p.sigma, nv)).rightCols(n - s);
   const Matrix v = lapack::orthogonal_completion(lapack::multiply_tn(p.sigma, nu)).rightCols(n - s);
   return {projected(p, u, v), std::move(u)};
@@ -190,7 +190,7 @@ Regular without_zero_roots(const Product& p, const QuadratureForm& form) {
 
 QuadratureModes solved(const QuadratureForm& form) {
   const Product product = product_of(form);
-  if (form.null1.cols() == 0) return collected(form, roots_of(product, p_matrix(form), 0));
+  if (form.first.null().cols() == 0) return collected(form, roots_of(product, p_matrix(form), 0));
   const Regular regular = without_zero_roots(product, form);
   auto roots = roots_of(regular.product, product_matrix(regular.product), 0);
   for (Root& r : roots) r.u = (regular.u * r.u).eval();
@@ -199,7 +199,7 @@ QuadratureModes solved(const QuadratureForm& form) {
 
 // u = (x, ẏ) mixes displacements with rates: their weight is right where time is counted in units of 1/γ.
 double time_scale(const QuadratureForm& form) {
-  const double gamma = std::max(std::sqrt(std::max(form.k1.norm(), form.k2.norm())), form.b.norm());
+  const double gamma = std::max(std::sqrt(std::max(form.first.k().norm(), form.second.k().norm())), form.b.norm());
   return gamma > 0 ? std::exp2(std::round(std::log2(gamma))) : 1;
 }
 
@@ -214,7 +214,12 @@ QuadratureModes in_units_of(double gamma, QuadratureModes modes) {
 
 QuadratureModes product_modes(const QuadratureForm& physical) {
   const double gamma = time_scale(physical);
-  const QuadratureForm form{physical.b / gamma, physical.k1 / (gamma * gamma), physical.k2 / (gamma * gamma), {}, {}, physical.null1, physical.null2};
+  const auto scaled = [&](const StiffnessBlock& given) {
+    StiffnessBlock block(given.k() / (gamma * gamma));
+    block.set_null(given.null());
+    return block;
+  };
+  const QuadratureForm form{physical.b / gamma, scaled(physical.first), scaled(physical.second)};
   return in_units_of(gamma, solved(form));
 }
 

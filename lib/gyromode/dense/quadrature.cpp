@@ -3,96 +3,103 @@
 #include "gyromode/dense/product.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/singular.h"
-#include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
+#include "gyromode/lapack/tridiagonal.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gyromode::dense {
 
 namespace {
 
-bool square(const Matrix& f) { return f.rows() == f.cols(); }
-
 // x = f⁻ᵀ s where f is square; else x = (f s + b w)/ω², the same by the first row of (T5).
-Matrix displacement(const QuadratureForm& form, const Matrix& s, const Matrix& w, const Vector& omega) {
-  const Matrix& f = *form.f1;
-  if (square(f)) {
+Matrix displacement(const QuadratureForm& form, const MatrixView& s, const MatrixView& w, const Vector& omega) {
+  const Matrix& f = form.first.root();
+  if (f.rows() == f.cols()) {
     Matrix x = s;
     lapack::solve_lower_transposed(f, x);
     return x;
   }
-  Matrix x = lapack::multiply(f, s) + lapack::multiply(form.b, w);
-  return x * omega.cwiseAbs2().cwiseInverse().asDiagonal();
+  Matrix x = lapack::multiply(f, s);
+  lapack::multiply_into(x, 1, form.b, false, w, false, 1);
+  x *= omega.cwiseAbs2().cwiseInverse().asDiagonal();
+  return x;
 }
 
 // From (s, w) of unit length, columns of v, to (x, y): theory below (T5).
 QuadratureModes recovered(const QuadratureForm& form, const Vector& omega, const MatrixView& v) {
-  const Index q = form.f1->cols();
-  QuadratureModes modes;
-  modes.omega = omega;
-  const Matrix w = v.bottomRows(v.rows() - q);
-  modes.x = displacement(form, v.topRows(q), w, omega);
-  modes.y = w * omega.cwiseInverse().asDiagonal();
-  return modes;
+  const Index q = form.first.root().cols();
+  const MatrixView w = v.bottomRows(v.rows() - q);
+  return {omega, displacement(form, v.topRows(q), w, omega), w * omega.cwiseInverse().asDiagonal(), {}, {}, {}, {}};
 }
 
 // W = [f b]ᵀ[f b] + diag(0, k₂).
 Matrix w_matrix(const QuadratureForm& form) {
-  const Matrix& f = *form.f1;
+  const Matrix& f = form.first.root();
   const Index r = form.b.cols();
   Matrix fb(f.rows(), f.cols() + r);
   fb << f, form.b;
   Matrix w = lapack::gram(fb);
-  w.bottomRightCorner(r, r) += form.k2;
+  w.bottomRightCorner(r, r) += form.second.k();
   return w;
 }
 
+// Is an eigenvalue of W below 1e-8 of the largest, so that its ω has 8 digits and less? Sturm counts, before any vector is computed.
+bool small_frequencies(const lapack::Tridiagonal& w, double norm_w) {
+  constexpr double smallest_ratio = 1e-8;
+  double largest = norm_w;  // to a factor of two
+  while (largest > 0 && w.below(0.5 * largest) == w.size()) largest *= 0.5;
+  return w.below(smallest_ratio * largest) > 0;
+}
+
 // An error ε‖W‖ in ω² is one of ε‖W‖/2ω in ω, while a backward error nε in K moves ω by nε‖K‖‖X‖²ω/2. The eigenvalues of W are good enough
-// while the first is below the second for every mode, and while no ω² is below 1e-8 of the largest (there ω has 8 digits).
-bool small_frequencies_ask_for_svd(const QuadratureForm& form, const QuadratureModes& modes, double norm_w) {
-  if (modes.omega.size() == 0) return false;
-  constexpr double smallest_ratio = 1e-4;
-  if (modes.omega(0) < smallest_ratio * modes.omega(modes.omega.size() - 1)) return true;
-  const double norm_k = std::max(form.k1.norm(), form.k2.norm());
-  const double n = static_cast<double>(form.b.rows() + form.b.cols());
+// while the first is below the second for every mode.
+bool accurate(const QuadratureModes& modes, double norm_w, double norm_k) {
+  const double n = static_cast<double>(modes.x.rows() + modes.y.rows());
   for (Index i = 0; i < modes.omega.size(); ++i) {
     const double shape = modes.omega(i) * modes.omega(i) * (modes.x.col(i).squaredNorm() + modes.y.col(i).squaredNorm());
-    if (!(norm_w <= n * norm_k * shape)) return true;
+    if (!(norm_w <= n * norm_k * shape)) return false;
   }
-  return false;
+  return true;
 }
 
 // C = [fᵀ 0; bᵀ f₂], W = C Cᵀ: frequencies to ε‖C‖, not √ε.
 QuadratureModes by_singular_values(const QuadratureForm& form) {
-  const Matrix& f1 = *form.f1;
-  const Matrix& f2 = *form.f2;
+  const Matrix& f1 = form.first.root();
+  const Matrix& f2 = form.second.root();
   const Index q = f1.cols();
   Matrix c = Matrix::Zero(q + form.b.cols(), f1.rows() + f2.cols());
   c.topLeftCorner(q, f1.rows()) = f1.transpose();
   c.bottomLeftCorner(form.b.cols(), f1.rows()) = form.b.transpose();
   c.bottomRightCorner(form.b.cols(), f2.cols()) = f2;
-  const auto svd = lapack::singular_value_decomposition(std::move(c));
-  QuadratureModes modes = recovered(form, svd.values.reverse(), Matrix(svd.u.rowwise().reverse()));
+  auto svd = lapack::left_singular(std::move(c));
+  svd.vectors.rowwise().reverseInPlace();
+  QuadratureModes modes = recovered(form, svd.values.reverse(), svd.vectors);
   modes.path = "singular values of C (real, n × n), as small frequencies ask for";
   return modes;
 }
 
 QuadratureModes by_w(const QuadratureForm& form) {
-  const Matrix w = w_matrix(form);
+  Matrix w = w_matrix(form);
+  const Index q = form.first.root().cols();
   const double norm_w = w.norm();
-  const auto e = lapack::symmetric_eigen(w);
+  const double norm_k = std::max(w.topLeftCorner(q, q).norm(), form.second.k().norm());  // ‖fᵀf‖ = ‖f fᵀ‖
+  const lapack::Tridiagonal tridiagonal(std::move(w));
+  const bool alternative = form.second.has_root();
+  if (alternative && small_frequencies(tridiagonal, norm_w)) return by_singular_values(form);
+  const auto e = tridiagonal.eigen();
   const Index unstable = (e.values.array() < 0).count();
   const Index m = e.values.size() - unstable;
   QuadratureModes modes = recovered(form, e.values.tail(m).cwiseSqrt(), e.vectors.rightCols(m));
-  if (form.f2 && (unstable > 0 || small_frequencies_ask_for_svd(form, modes, norm_w))) return by_singular_values(form);
+  if (alternative && !accurate(modes, norm_w, norm_k)) return by_singular_values(form);
   for (Index i = 0; i < unstable; ++i) modes.divergence.push_back(std::sqrt(-e.values(i)));
   modes.path = "eigenvalues of W (real symmetric, n × n)";
   return modes;
 }
 
 // The groups exchanged: x ↔ y, b → −bᵀ. A motion (x, −jy) of the exchanged form is, times j, the motion (y, jx) → (y, −j(−x)) of this one.
-QuadratureForm exchanged(const QuadratureForm& form) { return {-form.b.transpose(), form.k2, form.k1, form.f2, form.f1, form.null2, form.null1}; }
+QuadratureForm exchanged(const QuadratureForm& form) { return {-form.b.transpose(), form.second, form.first}; }
 
 QuadratureModes exchanged_back(QuadratureModes modes) {
   std::swap(modes.x, modes.y);
@@ -103,8 +110,8 @@ QuadratureModes exchanged_back(QuadratureModes modes) {
 }  // namespace
 
 QuadratureModes quadrature_modes(const QuadratureForm& form) {
-  if (form.f1) return by_w(form);
-  if (form.f2) return exchanged_back(by_w(exchanged(form)));
+  if (form.first.has_root()) return by_w(form);
+  if (form.second.has_root()) return exchanged_back(by_w(exchanged(form)));
   return product_modes(form);
 }
 

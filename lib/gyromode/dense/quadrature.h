@@ -2,21 +2,48 @@
 
 #include "gyromode/lapack/types.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace gyromode::dense {
 
+/// One diagonal block k (n × n) of a mass-normalised stiffness; where k ≥ 0 also a root f with k = f fᵀ, n × q, q < n only where the null space is
+/// gyroscopically coupled (see Deflation). Each costs a congruence, and not every solver asks for both: they may be given as recipes.
+class StiffnessBlock {
+ public:
+  using Recipe = std::function<Matrix()>;
+  explicit StiffnessBlock(Matrix k) : k_(std::move(k)), null_(k_->rows(), 0) {}
+  StiffnessBlock(Matrix k, Matrix root) : k_(std::move(k)), root_(std::move(root)), null_(k_->rows(), 0) {}
+  /// `root` is empty where k is indefinite. Called at most once.
+  StiffnessBlock(Index size, Recipe k, Recipe root) : k_recipe_(std::move(k)), root_recipe_(std::move(root)), null_(size, 0) {}
+
+  Index size() const { return null_.rows(); }
+  bool has_root() const { return root_ || root_recipe_; }
+  const Matrix& k() const { return made(k_, k_recipe_); }
+  const Matrix& root() const { return made(root_, root_recipe_); }
+
+  /// Gyroscopically coupled null vectors of k, n × s, orthonormal; s = 0 for a regular K.
+  const Matrix& null() const { return null_; }
+  void set_null(Matrix null) { null_ = std::move(null); }
+
+ private:
+  static const Matrix& made(std::optional<Matrix>& matrix, const Recipe& recipe) {
+    if (!matrix) matrix = recipe();
+    return *matrix;
+  }
+
+  mutable std::optional<Matrix> k_, root_;
+  Recipe k_recipe_, root_recipe_;
+  Matrix null_;
+};
+
 /// The quadrature class in mass-normalised coordinates (theory (T4)):
 ///     ẍ + b ẏ + k₁ x = 0,   ÿ − bᵀ ẋ + k₂ y = 0,    b p × r.
-/// Roots f_i with k_i = f_i f_iᵀ, p × q₁ and r × q₂, are given where a block is positive semidefinite (q < its order only where the null
-/// space is gyroscopically coupled; see Deflation).
 struct QuadratureForm {
   Matrix b;
-  Matrix k1, k2;
-  std::optional<Matrix> f1, f2;
-  Matrix null1, null2;  ///< gyroscopically coupled null vectors of k₁ (p × s) and k₂ (r × s), orthonormal; s = 0 for a regular K
+  StiffnessBlock first, second;
 };
 
 /// Motions X = (x, −j y) e^{jωt} with real x (p × m) and y (r × m), ω > 0 ascending; and the roots off the imaginary axis.
@@ -25,7 +52,7 @@ struct QuadratureModes {
   Matrix x, y;
   std::vector<double> divergence;  ///< σ > 0 of pairs ±σ
   std::vector<Complex> flutter;    ///< σ + jω, σ, ω > 0, of quadruples
-  ComplexMatrix flutter_shapes;             ///< n × quadruples: (x, ẏ/λ) of X e^{λt}
+  ComplexMatrix flutter_shapes;    ///< n × quadruples: (x, ẏ/λ) of X e^{λt}
   std::string path;
 };
 

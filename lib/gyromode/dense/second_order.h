@@ -1,27 +1,28 @@
 #pragma once
 
-#include "gyromode/dense/ignorable.h"
 #include "gyromode/dense/spectrum.h"
 
 namespace gyromode::dense {
 
-/// The matrices of one component in the order of its Spectrum; with a partition, `split` coordinates in phase come first.
+/// The matrices of one component, n × n, in the order of its Spectrum.
 struct SecondOrder {
   Matrix mass, gyroscopic, stiffness;
-  Index split = -1;
 
   Index size() const { return mass.rows(); }
 };
 
-/// Fills the roots, counts and path of `s`, whose order and split are set, by the solvers of theory §1 and §3. Zero roots of a singular K are
+/// Those of a component with a partition: M = diag(M₁, M₂), G = [0 B; −Bᵀ 0], K = diag(K₁, K₂).
+struct SecondOrderQuadrature {
+  Matrix mass1, mass2, coupling, stiffness1, stiffness2;
+
+  Index size() const { return mass1.rows() + mass2.rows(); }
+};
+
+/// Fills the roots, counts and path of `s`, whose order and split are set, by the solvers of theory §3. Zero roots of a singular K are
 /// removed first and exactly.
 void solve_second_order(const SecondOrder& m, Spectrum& s);
-
-/// Error of null vectors of K: rounding over the gap to its other eigenvalues, and what the congruence to normal coordinates adds.
-double null_error(Index n, double margin);
-
-/// Zero modes and the counts that go with them, from the deflation of a singular K with the given null space (n × r, physical coordinates).
-void store_zero_modes(const Deflation& d, const Matrix& null_space, Spectrum& s);
+/// The same by those of theory §1.
+void solve_second_order(const SecondOrderQuadrature& m, Spectrum& s);
 
 /// I q̇ + G q = 0 (theory §3d): singular values of L₁⁻¹BL₂⁻ᵀ with a partition, else of the bidiagonal half of the tridiagonalised L⁻¹GL⁻ᵀ. Singular
 /// values up to 8 n ε of the largest (of ‖L⁻¹GL⁻ᵀ‖_F without a partition) are zero.

@@ -1,12 +1,7 @@
 #include "gyromode/dense/skew_multiply.h"
 
-#include "gyromode/lapack/library.h"
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
-#include <vector>
 
 namespace gyromode::dense {
 
@@ -14,7 +9,7 @@ namespace {
 
 // The columns [from, to) of the lower triangle `a` (n × n, leading dimension `stride`) and their mirror images.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)
-__attribute__((target_clones("arch=x86-64-v3", "default"), optimize("O3", "fast-math")))
+__attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"), optimize("O3", "fast-math")))
 #endif
 void multiply_columns(const double* a, Index stride, Index n, Index from, Index to, const double* v, double* y) {
   std::fill(y, y + n, 0.0);
@@ -57,81 +52,25 @@ void skew_multiply(const Matrix& z, Index first, const double* v, double* y) {
   multiply_columns(z.data() + first * (z.rows() + 1), z.rows(), n, 0, n, v, y);
 }
 
-struct SkewMultiply::Team {
-  struct Task {
-    const double* a = nullptr;
-    Index stride = 0, n = 0;
-    const double* v = nullptr;
-  };
-
-  Team(Index largest, int threads) : results(static_cast<std::size_t>(threads), Vector(largest)) {
-    for (int part = 1; part < threads; ++part) workers.emplace_back([this, part] { serve(part); });
-  }
-
-  ~Team() {
-    stop = true;
-    round.fetch_add(1);
-    round.notify_all();
-  }
-
-  // Column where `part` begins: the triangle right of column c has the share (1 − c/n)² of the area.
-  Index begin_of(int part) const {
-    const double left = 1 - static_cast<double>(part) / static_cast<double>(results.size());
-    return part == static_cast<int>(results.size()) ? task.n : static_cast<Index>(static_cast<double>(task.n) * (1 - std::sqrt(left)));
-  }
-
-  void work(int part) {
-    multiply_columns(task.a, task.stride, task.n, begin_of(part), begin_of(part + 1), task.v, results[static_cast<std::size_t>(part)].data());
-  }
-
-  void serve(int part) {
-    unsigned seen = 0;
-    for (;;) {
-      for (int spin = 0; spin < 2000 && round.load(std::memory_order_acquire) == seen; ++spin) std::this_thread::yield();
-      round.wait(seen);
-      seen = round.load(std::memory_order_acquire);
-      if (stop) return;
-      work(part);
-      finished.fetch_add(1, std::memory_order_release);
-    }
-  }
-
-  void run(const Task& given) {
-    task = given;
-    finished.store(0);
-    round.fetch_add(1, std::memory_order_release);
-    round.notify_all();
-    work(0);
-    while (finished.load(std::memory_order_acquire) + 1 < static_cast<int>(results.size())) std::this_thread::yield();
-  }
-
-  Task task;
-  std::vector<Vector> results;
-  std::atomic<unsigned> round{0};
-  std::atomic<int> finished{0};
-  std::atomic<bool> stop{false};
-  std::vector<std::jthread> workers;  // last: joined first
-};
-
-SkewMultiply::SkewMultiply(Index largest) {
-  constexpr Index worth_it = 512;
-  const int threads = std::min(lapack::threads(), 8);
-  if (threads > 1 && largest >= worth_it) team_ = std::make_unique<Team>(largest, threads);
-}
-
-SkewMultiply::~SkewMultiply() = default;
+SkewMultiply::SkewMultiply(lapack::Team& team, Index largest) : team_(team), results_(static_cast<std::size_t>(team.size()), Vector(largest)) {}
 
 void SkewMultiply::operator()(const Matrix& z, Index first, const double* v, double* y) {
   constexpr Index worth_it = 384;
   const Index n = z.rows() - first;
-  if (!team_ || n < worth_it) {
-    skew_multiply(z, first, v, y);
-    return;
-  }
-  team_->run({z.data() + first * (z.rows() + 1), z.rows(), n, v});
+  if (team_.size() == 1 || n < worth_it) return skew_multiply(z, first, v, y);
+  const double* a = z.data() + first * (z.rows() + 1);
+  team_.run([&](int part) {
+    multiply_columns(a, z.rows(), n, equal_area(n, part, team_.size()), equal_area(n, part + 1, team_.size()), v, results_[static_cast<std::size_t>(part)].data());
+  });
   Eigen::Map<Vector> sum(y, n);
-  sum = team_->results[0].head(n);
-  for (std::size_t part = 1; part < team_->results.size(); ++part) sum += team_->results[part].head(n);
+  sum = results_[0].head(n);
+  for (std::size_t part = 1; part < results_.size(); ++part) sum += results_[part].head(n);
+}
+
+Index equal_area(Index n, int part, int parts) {
+  if (part == parts) return n;
+  const double left = 1 - static_cast<double>(part) / static_cast<double>(parts);  // right of column c lies the share (1 − c/n)² of a triangle
+  return static_cast<Index>(static_cast<double>(n) * (1 - std::sqrt(left)));
 }
 
 }  // namespace gyromode::dense

@@ -2,6 +2,7 @@
 
 #include "gyromode/dense/skew_multiply.h"
 #include "gyromode/lapack/multiply.h"
+#include "gyromode/lapack/team.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@ namespace gyromode::dense {
 
 namespace {
 
-constexpr Index panel_width = 48;
+constexpr Index panel_width = 32;
 
 // Householder reflector 1 − τ v vᵀ with v(0) = 1 that maps x to β e₁ (LAPACK's dlarfg without the rescaling of tiny vectors: Z is scaled
 // to order one by its caller, and a column below the underflow of its squares is zero to every backward error).
@@ -26,79 +27,91 @@ double reflector(Eigen::Ref<Vector> x, double& beta) {
   return tau;
 }
 
-// The trailing update A += V Wᵀ − W Vᵀ on the lower triangle, by block columns so that little of the upper one is touched.
-void skew_rank_2k(MatrixSpan a, const MatrixView& v, const MatrixView& w) {
-  const Index n = a.rows();
-  const Index block = 128;
-  for (Index j = 0; j < n; j += block) {
-    const Index width = std::min(block, n - j);
-    auto part = a.block(j, j, n - j, width);
-    lapack::multiply_into(part, 1, v.bottomRows(n - j), false, w.middleRows(j, width), true, 1);
-    lapack::multiply_into(part, -1, w.bottomRows(n - j), false, v.middleRows(j, width), true, 1);
+// The panel's v_i and w_i, in turn: columns 2i and 2i + 1. Rows belong to those of Z.
+class Panel {
+ public:
+  explicit Panel(Index n) : pairs_(n, 2 * panel_width), swapped_(n, 2 * panel_width), coefficients_(2 * panel_width) {}
+
+  auto v(Index i) { return pairs_.col(2 * i); }
+  auto w(Index i) { return pairs_.col(2 * i + 1); }
+
+  // column(k + 1 …) += Σ v_i w_i(k) − w_i v_i(k) over the first `count` pairs.
+  void update_column(Eigen::Ref<Vector> column, Index k, Index count) {
+    for (Index i = 0; i < count; ++i) {
+      coefficients_(2 * i) = pairs_(k, 2 * i + 1);
+      coefficients_(2 * i + 1) = -pairs_(k, 2 * i);
+    }
+    lapack::multiply_add(column, 1, below(k, count), false, coefficients_.head(2 * count));
   }
-}
+
+  // y += Σ v_i (w_iᵀx) − w_i (v_iᵀx), rows k + 1 ….
+  void add_product(Eigen::Ref<Vector> y, const Eigen::Ref<const Vector>& x, Index k, Index count) {
+    Vector overlap = Vector::Zero(2 * count);
+    lapack::multiply_add(overlap, 1, below(k, count), true, x);
+    for (Index i = 0; i < count; ++i) {
+      coefficients_(2 * i) = overlap(2 * i + 1);
+      coefficients_(2 * i + 1) = -overlap(2 * i);
+    }
+    lapack::multiply_add(y, 1, below(k, count), false, coefficients_.head(2 * count));
+  }
+
+  // A += V Wᵀ − W Vᵀ on the lower triangle of the rows from `first` on, by block columns so that little of the upper one is touched.
+  void update_trailing(lapack::Team& team, Matrix& a, Index first, Index count) {
+    constexpr Index block = 128;
+    for (Index i = 0; i < count; ++i) {
+      swapped_.col(2 * i) = pairs_.col(2 * i + 1);
+      swapped_.col(2 * i + 1) = -pairs_.col(2 * i);
+    }
+    const Index n = a.rows() - first;
+    team.run([&](int part) {
+      const Index end = equal_area(n, part + 1, team.size());
+      for (Index j = equal_area(n, part, team.size()); j < end; j += block) {
+        const Index width = std::min(block, end - j);
+        const auto rows = pairs_.bottomRows(n - j).leftCols(2 * count);
+        const auto columns = swapped_.middleRows(first + j, width).leftCols(2 * count);
+        lapack::multiply_into(a.block(first + j, first + j, n - j, width), 1, rows, false, columns, true, 1);
+      }
+    });
+  }
+
+ private:
+  Eigen::Block<Matrix> below(Index k, Index count) { return pairs_.block(k + 1, 0, pairs_.rows() - k - 1, 2 * count); }
+
+  Matrix pairs_, swapped_;
+  Vector coefficients_;
+};
 
 }  // namespace
 
-SkewTridiagonal::SkewTridiagonal(Matrix z) : reflectors_(std::move(z)) {
-  const Index n = reflectors_.rows();
+SkewTridiagonal::SkewTridiagonal(Matrix z) {
+  const Index n = z.rows();
   const Index columns = std::max<Index>(n - 1, 0);
-  tau_ = Vector::Zero(columns);
+  q_ = {std::move(z), Vector::Zero(columns), 1};
   beta_ = Vector::Zero(columns);
-  Matrix& a = reflectors_;
-  SkewMultiply multiply(n);
-  Matrix v(n, panel_width);
-  Matrix w(n, panel_width);
+  Matrix& a = q_.vectors;
+  lapack::Team team(lapack::threads_for(n));
+  SkewMultiply multiply(team, n);
+  Panel panel(n);
   for (Index start = 0; start < columns; start += panel_width) {
     const Index width = std::min(panel_width, columns - start);
-    v.setZero();
-    w.setZero();
     for (Index i = 0; i < width; ++i) {
       const Index k = start + i;
       const Index below = n - k - 1;
       auto column = a.col(k).tail(below);
-      lapack::multiply_add(column, 1, v.block(k + 1, 0, below, i), false, w.row(k).head(i).transpose());
-      lapack::multiply_add(column, -1, w.block(k + 1, 0, below, i), false, v.row(k).head(i).transpose());
-      tau_(k) = reflector(column, beta_(k));
-      auto vk = v.col(i).tail(below);
-      vk = column;
-      vk(0) = 1;
-      if (tau_(k) == 0) continue;
-      auto wk = w.col(i).tail(below);
-      multiply(a, k + 1, v.col(i).data() + k + 1, w.col(i).data() + k + 1);
-      Vector wv = Vector::Zero(i);
-      Vector vv = Vector::Zero(i);
-      lapack::multiply_add(wv, 1, w.block(k + 1, 0, below, i), true, vk);
-      lapack::multiply_add(vv, 1, v.block(k + 1, 0, below, i), true, vk);
-      lapack::multiply_add(wk, 1, v.block(k + 1, 0, below, i), false, wv);
-      lapack::multiply_add(wk, -1, w.block(k + 1, 0, below, i), false, vv);
-      wk *= tau_(k);
+      panel.update_column(column, k, i);
+      q_.tau(k) = reflector(column, beta_(k));
+      panel.v(i).head(k + 1).setZero();
+      panel.w(i).setZero();
+      auto v = panel.v(i).tail(below);
+      v = column;
+      v(0) = 1;
+      if (q_.tau(k) == 0) continue;
+      auto w = panel.w(i).tail(below);
+      multiply(a, k + 1, v.data(), w.data());
+      panel.add_product(w, v, k, i);
+      w *= q_.tau(k);
     }
-    const Index next = start + width;
-    if (next < n) skew_rank_2k(a.block(next, next, n - next, n - next), v.block(next, 0, n - next, width), w.block(next, 0, n - next, width));
-  }
-}
-
-void SkewTridiagonal::multiply_right(Matrix& x) const {
-  const Index n = size();
-  const Index columns = tau_.size();
-  for (Index start = 0; start < columns; start += panel_width) {
-    const Index width = std::min(panel_width, columns - start);
-    const Index rows = n - start - 1;
-    // The panel's product of reflectors as 1 − V T Vᵀ (Schreiber & Van Loan 1989).
-    Matrix v = Matrix::Zero(rows, width);
-    Matrix t = Matrix::Zero(width, width);
-    for (Index i = 0; i < width; ++i) {
-      v.col(i).tail(rows - i) = reflectors_.col(start + i).tail(rows - i);
-      v(i, i) = 1;
-      const double tau = tau_(start + i);
-      t(i, i) = tau;
-      if (i == 0) continue;
-      const Vector overlap = v.leftCols(i).transpose() * v.col(i);
-      t.col(i).head(i) = t.topLeftCorner(i, i).triangularView<Eigen::Upper>() * (-tau * overlap);
-    }
-    const Matrix xv = lapack::multiply(x.rightCols(rows), v);
-    lapack::multiply_into(x.rightCols(rows), -1, lapack::multiply(xv, t), false, v, true, 1);
+    panel.update_trailing(team, a, start + width, width);
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/lapack/types.h"
+#include "gyromode/lapack/reflectors.h"
 
 namespace gyromode::dense {
 
@@ -14,15 +14,12 @@ class SkewTridiagonal {
  public:
   explicit SkewTridiagonal(Matrix z);
 
-  Index size() const { return reflectors_.rows(); }
+  Index size() const { return q_.size(); }
   const Vector& subdiagonal() const { return beta_; }  ///< β, n − 1
-
-  /// x := x Q, x m × n.
-  void multiply_right(Matrix& x) const;
+  const lapack::Reflectors& q() const { return q_; }
 
  private:
-  Matrix reflectors_;  ///< column k holds v_k in rows k + 1 …, v_k(k + 1) = 1 implied
-  Vector tau_;
+  lapack::Reflectors q_;
   Vector beta_;
 };
 

@@ -29,6 +29,13 @@ void require_partition(const Component& component, const Labels& labels) {
 
 Matrix restricted(const Matrix& a, const std::vector<Index>& rows, const std::vector<Index>& columns) { return a(rows, columns); }
 
+void Spectrum::store_stiffness(const Definiteness& d) {
+  stiffness_negative = reduced_negative = impedance_negative = d.negative;
+  stiffness_zero = d.zero;
+  stiffness_margin = d.margin;
+  zero_shapes.resize(size(), 0);
+}
+
 ComplexVector Spectrum::shape(Index k) const {
   ComplexVector x = ComplexVector::Zero(size());
   if (split < 0) {
@@ -47,8 +54,17 @@ Spectrum solve(const System& system, const Component& component, Method method) 
   Spectrum s;
   s.order = ordered(component, with_partition);
   s.split = with_partition ? static_cast<Index>(component.in_phase.size()) : -1;
+  if (with_partition) {
+    const auto& first = component.in_phase;
+    const auto& second = component.in_quadrature;
+    solve_second_order(SecondOrderQuadrature{restricted(system.mass(), first, first), restricted(system.mass(), second, second),
+                                             restricted(system.gyroscopic(), first, second), restricted(system.stiffness(), first, first),
+                                             restricted(system.stiffness(), second, second)},
+                       s);
+    return s;
+  }
   const SecondOrder matrices{restricted(system.mass(), s.order, s.order), restricted(system.gyroscopic(), s.order, s.order),
-                             restricted(system.stiffness(), s.order, s.order), s.split};
+                             restricted(system.stiffness(), s.order, s.order)};
   switch (method) {
     case Method::first_order: solve_companion(matrices, s); break;
     case Method::symmetric_2n: solve_symmetric_2n(matrices, s); break;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gyromode/lapack/types.h"
+#include "gyromode/structure/definiteness.h"
 
 #include <stdexcept>
 #include <string>
@@ -42,6 +43,17 @@ struct Spectrum {
 
   Index size() const { return static_cast<Index>(order.size()); }
   Index zero_pairs() const { return zero_shapes.cols(); }
+  /// Takes everything over from the modes of a solver but the undamped shapes, which its caller turns back to physical coordinates; so it does
+  /// with the flutter shapes.
+  template <class Modes>
+  void store_roots(Modes& modes) {
+    omega = std::move(modes.omega);
+    divergence = std::move(modes.divergence);
+    flutter = std::move(modes.flutter);
+    flutter_shapes = std::move(modes.flutter_shapes);
+  }
+  /// The counts of a regular K; a singular one corrects the reduced ones later.
+  void store_stiffness(const Definiteness& d);
   /// Column k as a complex vector of all rows, in the order above.
   ComplexVector shape(Index k) const;
 };

@@ -32,27 +32,27 @@ void multiply_add(Eigen::Ref<Vector> y, double alpha, const MatrixView& a, bool 
 }
 
 Matrix multiply(const MatrixView& a, const MatrixView& b) {
-  Matrix c = Matrix::Zero(a.rows(), b.cols());
+  Matrix c(a.rows(), b.cols());
   multiply_into(c, 1, a, false, b, false, 0);
   return c;
 }
 
 Matrix multiply_tn(const MatrixView& a, const MatrixView& b) {
-  Matrix c = Matrix::Zero(a.cols(), b.cols());
+  Matrix c(a.cols(), b.cols());
   multiply_into(c, 1, a, true, b, false, 0);
   return c;
 }
 
 Matrix multiply_nt(const MatrixView& a, const MatrixView& b) {
-  Matrix c = Matrix::Zero(a.rows(), b.rows());
+  Matrix c(a.rows(), b.rows());
   multiply_into(c, 1, a, false, b, true, 0);
   return c;
 }
 
 Matrix gram(const MatrixView& a) {
   const Index n = a.cols();
-  Matrix c = Matrix::Zero(n, n);
-  if (n == 0 || a.rows() == 0) return c;
+  if (n == 0 || a.rows() == 0) return Matrix::Zero(n, n);
+  Matrix c(n, n);
   cblas_dsyrk(CblasColMajor, CblasLower, CblasTrans, dimension(n, "dsyrk"), dimension(a.rows(), "dsyrk"), 1, a.data(),
               dimension(a.outerStride(), "dsyrk"), 0, c.data(), dimension(n, "dsyrk"));
   mirror_lower(c);

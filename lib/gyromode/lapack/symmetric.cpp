@@ -1,20 +1,13 @@
 #include "gyromode/lapack/symmetric.h"
 
 #include "gyromode/lapack/status.h"
+#include "gyromode/lapack/tridiagonal.h"
 
 #include <lapacke.h>
 
 namespace gyromode::lapack {
 
-SymmetricEigen symmetric_eigen(Matrix a) {
-  const Index n = a.rows();
-  SymmetricEigen e{Vector(n), std::move(a)};
-  if (n == 0) return e;
-  const int order = dimension(n, "dsyevd", largest_order(2, 6, 1));
-  const int info = LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', order, e.vectors.data(), order, e.values.data());
-  require_success(info, "dsyevd", "an eigenvalue of a sub-block did not converge");
-  return e;
-}
+SymmetricEigen symmetric_eigen(Matrix a) { return Tridiagonal(std::move(a)).eigen(); }
 
 Vector symmetric_eigenvalues(Matrix a) {
   const Index n = a.rows();

@@ -10,7 +10,7 @@ struct SymmetricEigen {
   Matrix vectors;
 };
 
-/// All eigenvalues and vectors of a symmetric matrix (n × n, lower triangle read) by divide and conquer (dsyevd).
+/// All eigenvalues and vectors of a symmetric matrix (n × n, lower triangle read) by divide and conquer (Tridiagonal).
 SymmetricEigen symmetric_eigen(Matrix a);
 
 /// All eigenvalues only, ascending.

@@ -1,0 +1,68 @@
+#include "gyromode/dense/mass_normal.h"
+#include "gyromode/dense/quadrature.h"
+#include "gyromode/dense/second_order.h"
+#include "gyromode/dense/singular_stiffness.h"
+#include "gyromode/structure/definiteness.h"
+
+#include <algorithm>
+
+namespace gyromode::dense {
+
+namespace {
+
+StiffnessBlock block(const MassNormal& normal, const Matrix& k, bool positive) {
+  StiffnessBlock::Recipe root;
+  if (positive) root = [&normal, &k] { return normal.stiffness_root(k); };
+  return {k.rows(), [&normal, &k] { return normal.stiffness(k); }, std::move(root)};
+}
+
+void solve_regular(const SecondOrderQuadrature& m, bool positive1, bool positive2, Spectrum& s) {
+  const MassNormal first(m.mass1);
+  const MassNormal second(m.mass2);
+  QuadratureModes modes =
+      quadrature_modes({first.coupling(m.coupling, second), block(first, m.stiffness1, positive1), block(second, m.stiffness2, positive2)});
+  first.to_physical(modes.x);
+  second.to_physical(modes.y);
+  s.re = std::move(modes.x);
+  s.im = std::move(modes.y);
+  s.im *= -1;
+  s.path = "quadrature: " + modes.path;
+  s.store_roots(modes);
+  MassNormalGroups({first, second}).to_physical(s.flutter_shapes);
+}
+
+Definiteness of_both(const Definiteness& d1, const Definiteness& d2) {
+  const Index n1 = d1.null_space.rows();
+  Definiteness d{d1.negative + d2.negative, d1.zero + d2.zero, d1.positive + d2.positive, {}, std::min(d1.margin, d2.margin)};
+  d.null_space = Matrix::Zero(n1 + d2.null_space.rows(), d.zero);
+  d.null_space.topLeftCorner(n1, d1.zero) = d1.null_space;
+  d.null_space.bottomRightCorner(d2.null_space.rows(), d2.zero) = d2.null_space;
+  return d;
+}
+
+NormalForm normal_form(const SecondOrderQuadrature& m, const MassNormal& first, const MassNormal& second) {
+  const Index p = first.size();
+  const Index r = second.size();
+  NormalForm form{Matrix::Zero(p + r, p + r), Matrix::Zero(p + r, p + r), p};
+  const Matrix b = first.coupling(m.coupling, second);
+  form.gamma.topRightCorner(p, r) = b;
+  form.gamma.bottomLeftCorner(r, p) = -b.transpose();
+  form.k.topLeftCorner(p, p) = first.stiffness(m.stiffness1);
+  form.k.bottomRightCorner(r, r) = second.stiffness(m.stiffness2);
+  return form;
+}
+
+}  // namespace
+
+void solve_second_order(const SecondOrderQuadrature& m, Spectrum& s) {
+  const Definiteness d1 = definiteness(m.stiffness1);
+  const Definiteness d2 = definiteness(m.stiffness2);
+  const Definiteness d = of_both(d1, d2);
+  s.store_stiffness(d);
+  if (d.zero == 0) return solve_regular(m, d1.negative == 0, d2.negative == 0, s);
+  const MassNormal first(m.mass1);
+  const MassNormal second(m.mass2);
+  solve_singular_stiffness(normal_form(m, first, second), MassNormalGroups({first, second}), d.null_space, d1.zero, s);
+}
+
+}  // namespace gyromode::dense

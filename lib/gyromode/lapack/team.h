@@ -1,0 +1,39 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+#include <atomic>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace gyromode::lapack {
+
+/// As many threads as the BLAS uses, for work of some ten microseconds at a time: between two calls of run() the others spin for a while before they sleep.
+/// While a team of more than one exists the BLAS itself uses one thread, and may be called by every member: its own idle threads would compete for the cores.
+class Team {
+ public:
+  explicit Team(int threads);
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  int size() const { return 1 + static_cast<int>(others_.size()); }
+  /// Calls work(0), …, work(size() − 1), each in a thread of its own, and returns when all have. `work` must not throw.
+  void run(const std::function<void(int)>& work);
+
+ private:
+  void serve(int part);
+
+  const std::function<void(int)>* work_ = nullptr;
+  std::atomic<unsigned> round_{0};
+  std::atomic<int> finished_{0};
+  std::atomic<bool> stop_{false};
+  int blas_threads_ = 1;              ///< to return to
+  std::vector<std::jthread> others_;  ///< last: joined first
+};
+
+/// How many threads a team for matrices of order n should have: those of the BLAS, or one where the work is too little to share.
+int threads_for(Index n);
+
+}  // namespace gyromode::lapack
