@@ -1,6 +1,7 @@
 #include "exit_code.h"
 #include "verbs.h"
 
+#include "gyromode/lapack/memory.h"
 #include "gyromode/version.h"
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@
 
 int main(int argc, char** argv) {
   using namespace gyromode::app;
+  gyromode::lapack::keep_freed_memory();
   CLI::App program{"gyromode: the vibration modes of what spins, M q̈ + G q̇ + K q = 0 with G skew, counted and certified.", "gyromode"};
   program.set_version_flag("--version", std::string("gyromode ") + GYROMODE_VERSION);
   program.require_subcommand(1);

@@ -2,6 +2,8 @@
 
 #include "report.h"
 
+#include "gyromode/lapack/memory.h"
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -67,7 +69,10 @@ int main(int argc, char** argv) {
   app.add_option("--program", report.options.program, "the program of row e")->capture_default_str();
   app.add_option("--model", report.options.model, "the model of row e")->capture_default_str();
   app.add_option("--revision", report.revision, "git revision to record");
+  bool default_memory = false;
+  app.add_flag("--default-memory", default_memory, "let the C library give freed memory back, as it does where nobody calls keep_freed_memory()");
   CLI11_PARSE(app, argc, argv);
+  if (!default_memory) gyromode::lapack::keep_freed_memory();
   try {
     report.machine = this_machine();
     run(report, only);

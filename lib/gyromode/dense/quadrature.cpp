@@ -3,6 +3,7 @@
 #include "gyromode/dense/product.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/singular.h"
+#include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/lapack/tridiagonal.h"
 
@@ -34,14 +35,14 @@ QuadratureModes recovered(const QuadratureForm& form, const Vector& omega, const
   return {omega, displacement(form, v.topRows(q), w, omega), w * omega.cwiseInverse().asDiagonal(), {}, {}, {}, {}};
 }
 
-// W = [f b]ᵀ[f b] + diag(0, k₂).
+// W = [f b]ᵀ[f b] + diag(0, k₂), its lower triangle.
 Matrix w_matrix(const QuadratureForm& form) {
   const Matrix& f = form.first.root();
   const Index r = form.b.cols();
   Matrix fb(f.rows(), f.cols() + r);
   fb << f, form.b;
-  Matrix w = lapack::gram(fb);
-  w.bottomRightCorner(r, r) += form.second.k();
+  Matrix w = lapack::gram_lower(fb);
+  w.bottomRightCorner(r, r).triangularView<Eigen::Lower>() += form.second.k();
   return w;
 }
 
@@ -83,8 +84,8 @@ QuadratureModes by_singular_values(const QuadratureForm& form) {
 QuadratureModes by_w(const QuadratureForm& form) {
   Matrix w = w_matrix(form);
   const Index q = form.first.root().cols();
-  const double norm_w = w.norm();
-  const double norm_k = std::max(w.topLeftCorner(q, q).norm(), form.second.k().norm());  // ‖fᵀf‖ = ‖f fᵀ‖
+  const double norm_w = lapack::symmetric_norm(w);
+  const double norm_k = std::max(lapack::symmetric_norm(w.topLeftCorner(q, q)), form.second.k().norm());  // ‖fᵀf‖ = ‖f fᵀ‖
   const lapack::Tridiagonal tridiagonal(std::move(w));
   const bool alternative = form.second.has_root();
   if (alternative && small_frequencies(tridiagonal, norm_w)) return by_singular_values(form);

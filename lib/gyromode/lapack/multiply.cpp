@@ -49,12 +49,18 @@ Matrix multiply_nt(const MatrixView& a, const MatrixView& b) {
   return c;
 }
 
-Matrix gram(const MatrixView& a) {
+Matrix gram_lower(const MatrixView& a) {
   const Index n = a.cols();
-  if (n == 0 || a.rows() == 0) return Matrix::Zero(n, n);
   Matrix c(n, n);
+  if (a.rows() == 0) c.setZero();
+  if (c.size() == 0 || a.rows() == 0) return c;
   cblas_dsyrk(CblasColMajor, CblasLower, CblasTrans, dimension(n, "dsyrk"), dimension(a.rows(), "dsyrk"), 1, a.data(),
               dimension(a.outerStride(), "dsyrk"), 0, c.data(), dimension(n, "dsyrk"));
+  return c;
+}
+
+Matrix gram(const MatrixView& a) {
+  Matrix c = gram_lower(a);
   mirror_lower(c);
   return c;
 }

@@ -12,8 +12,9 @@ Matrix multiply_nt(const MatrixView& a, const MatrixView& b);     ///< A Bᵀ
 void multiply_into(MatrixSpan c, double alpha, const MatrixView& a, bool transpose_a, const MatrixView& b, bool transpose_b, double beta);
 /// y := y + α·op(A)·x (dgemv).
 void multiply_add(Eigen::Ref<Vector> y, double alpha, const MatrixView& a, bool transpose, const Eigen::Ref<const Vector, 0, Eigen::InnerStride<>>& x);
-/// AᵀA, both triangles.
+/// AᵀA, both triangles, or the lower one only (what stands above it is not defined).
 Matrix gram(const MatrixView& a);
+Matrix gram_lower(const MatrixView& a);
 /// Copies the lower triangle onto the upper one, in place.
 void mirror_lower(MatrixSpan a);
 

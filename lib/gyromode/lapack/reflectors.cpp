@@ -2,6 +2,7 @@
 
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/status.h"
+#include "gyromode/lapack/team.h"
 
 #include <cblas.h>
 
@@ -11,8 +12,7 @@ namespace gyromode::lapack {
 
 namespace {
 
-// Measured on two threads: wider panels pay where a panel's products are shared out worse.
-Index panel_width(Index n) { return n < 1500 ? 96 : 192; }
+constexpr Index panel_width = 64;
 
 // H_start … H_{start+width−1} = 1 − V U⁻¹ Vᵀ on the rows from start + first on. U = T⁻¹ is upper triangular: the strict upper part of VᵀV, and 1/τ on the diagonal.
 struct Panel {
@@ -43,25 +43,29 @@ struct Panel {
 }  // namespace
 
 void multiply_right(MatrixSpan x, const Reflectors& q) {
-  const Index step = panel_width(q.size());
-  for (Index start = 0; start < q.tau.size(); start += step) {
-    const Panel panel(q, start, std::min(step, q.tau.size() - start));
-    auto columns = x.rightCols(panel.v.rows());
-    Matrix y = multiply(columns, panel.v);
-    panel.solve(CblasRight, y);
-    multiply_into(columns, -1, y, false, panel.v, true, 1);
+  Team team(threads_for(q.size()));
+  for (Index start = 0; start < q.tau.size(); start += panel_width) {
+    const Panel panel(q, start, std::min(panel_width, q.tau.size() - start));
+    team.run([&](int part) {
+      auto rows = x.middleRows(team.begin(x.rows(), part), team.count(x.rows(), part)).rightCols(panel.v.rows());
+      Matrix y = multiply(rows, panel.v);
+      panel.solve(CblasRight, y);
+      multiply_into(rows, -1, y, false, panel.v, true, 1);
+    });
   }
 }
 
 void multiply_left(const Reflectors& q, MatrixSpan x) {
-  const Index step = panel_width(q.size());
+  Team team(threads_for(q.size()));
   for (Index end = q.tau.size(); end > 0;) {
-    const Index start = (end - 1) / step * step;
+    const Index start = (end - 1) / panel_width * panel_width;
     const Panel panel(q, start, end - start);
-    auto rows = x.bottomRows(panel.v.rows());
-    Matrix y = multiply_tn(panel.v, rows);
-    panel.solve(CblasLeft, y);
-    multiply_into(rows, -1, panel.v, false, y, false, 1);
+    team.run([&](int part) {
+      auto columns = x.middleCols(team.begin(x.cols(), part), team.count(x.cols(), part)).bottomRows(panel.v.rows());
+      Matrix y = multiply_tn(panel.v, columns);
+      panel.solve(CblasLeft, y);
+      multiply_into(columns, -1, panel.v, false, y, false, 1);
+    });
     end = start;
   }
 }

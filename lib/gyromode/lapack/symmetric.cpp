@@ -9,6 +9,11 @@ namespace gyromode::lapack {
 
 SymmetricEigen symmetric_eigen(Matrix a) { return Tridiagonal(std::move(a)).eigen(); }
 
+double symmetric_norm(const MatrixView& a) {
+  if (a.size() == 0) return 0;
+  return LAPACKE_dlansy(LAPACK_COL_MAJOR, 'F', 'L', dimension(a.rows(), "dlansy"), a.data(), dimension(a.outerStride(), "dlansy"));
+}
+
 Vector symmetric_eigenvalues(Matrix a) {
   const Index n = a.rows();
   Vector values(n);

@@ -13,6 +13,9 @@ struct SymmetricEigen {
 /// All eigenvalues and vectors of a symmetric matrix (n × n, lower triangle read) by divide and conquer (Tridiagonal).
 SymmetricEigen symmetric_eigen(Matrix a);
 
+/// ‖A‖_F of a symmetric matrix, lower triangle read (dlansy).
+double symmetric_norm(const MatrixView& a);
+
 /// All eigenvalues only, ascending.
 Vector symmetric_eigenvalues(Matrix a);
 

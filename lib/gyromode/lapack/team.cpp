@@ -4,11 +4,34 @@
 
 #include <algorithm>
 
+#ifdef __linux__
+#include <pthread.h>
+#include <sched.h>
+#endif
+
 namespace gyromode::lapack {
 
 namespace {
 
 constexpr int spins = 2000;
+
+// The cores this thread may run on but the one it is on. A new thread starts on the core of its parent, and may share it for longer than the work takes.
+#ifdef __linux__
+using Cores = cpu_set_t;
+Cores other_cores() {
+  Cores cores;
+  CPU_ZERO(&cores);
+  if (sched_getaffinity(0, sizeof cores, &cores) == 0) CPU_CLR(sched_getcpu(), &cores);
+  return cores;
+}
+void stay_on(const Cores& cores) {
+  if (CPU_COUNT(&cores) > 0) pthread_setaffinity_np(pthread_self(), sizeof cores, &cores);
+}
+#else
+struct Cores {};
+Cores other_cores() { return {}; }
+void stay_on(const Cores&) {}
+#endif
 
 }  // namespace
 
@@ -16,7 +39,13 @@ Team::Team(int threads) {
   if (threads < 2) return;
   blas_threads_ = openblas_get_num_threads();
   openblas_set_num_threads(1);
-  for (int part = 1; part < threads; ++part) others_.emplace_back([this, part] { serve(part); });
+  const Cores cores = other_cores();
+  for (int part = 1; part < threads; ++part) {
+    others_.emplace_back([this, part, cores] {
+      stay_on(cores);
+      serve(part);
+    });
+  }
 }
 
 Team::~Team() {

@@ -19,6 +19,9 @@ class Team {
   Team& operator=(const Team&) = delete;
 
   int size() const { return 1 + static_cast<int>(others_.size()); }
+  /// Rows or columns begin(n, part) … + count(n, part) of n belong to `part` where all cost the same.
+  Index begin(Index n, int part) const { return n * part / size(); }
+  Index count(Index n, int part) const { return begin(n, part + 1) - begin(n, part); }
   /// Calls work(0), …, work(size() − 1), each in a thread of its own, and returns when all have. `work` must not throw.
   void run(const std::function<void(int)>& work);
 

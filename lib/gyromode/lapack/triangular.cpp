@@ -1,5 +1,6 @@
 #include "gyromode/lapack/triangular.h"
 
+#include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/status.h"
 
 #include <cblas.h>
@@ -54,9 +55,12 @@ void multiply_lower_transposed(const MatrixView& l, MatrixSpan b) { triangular_m
 void multiply_lower_right(const MatrixView& l, MatrixSpan b) { triangular_multiply(CblasRight, CblasNoTrans, l, b); }
 
 Matrix congruence(const MatrixView& l, Matrix a) {
-  solve_lower(l, a);
-  solve_lower_transposed_right(l, a);
-  return 0.5 * (a + a.transpose().eval());
+  if (a.size() == 0) return a;
+  const int info = LAPACKE_dsygst(LAPACK_COL_MAJOR, 1, 'L', dimension(a.rows(), "dsygst"), a.data(), dimension(a.outerStride(), "dsygst"), l.data(),
+                                  dimension(l.outerStride(), "dsygst"));
+  require_success(info, "dsygst", "");
+  mirror_lower(a);
+  return a;
 }
 
 Matrix orthogonal_completion(const MatrixView& a) {

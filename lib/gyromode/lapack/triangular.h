@@ -23,7 +23,7 @@ void multiply_lower_transposed(const MatrixView& l, MatrixSpan b);
 /// b := b L.
 void multiply_lower_right(const MatrixView& l, MatrixSpan b);
 
-/// L⁻¹ A L⁻ᵀ for symmetric A (n × n), made symmetric to the last bit.
+/// L⁻¹ A L⁻ᵀ for symmetric A (n × n, lower triangle read), symmetric to the last bit (dsygst).
 Matrix congruence(const MatrixView& l, Matrix a);
 
 /// An orthogonal n × n matrix whose first columns span the columns of `a` (n × r, r ≤ n, full rank; Householder QR).

@@ -1,5 +1,6 @@
 #include "gyromode/lapack/tridiagonal.h"
 
+#include "gyromode/lapack/divide_conquer.h"
 #include "gyromode/lapack/status.h"
 
 #include <lapacke.h>
@@ -48,13 +49,7 @@ Index Tridiagonal::below(double bound) const {
 }
 
 SymmetricEigen Tridiagonal::eigen() const {
-  const Index n = size();
-  SymmetricEigen e{diagonal_, Matrix(n, n)};
-  if (n == 0) return e;
-  const int order = dimension(n, "dstedc", largest_order(1, 4, 1));
-  Vector subdiagonal = subdiagonal_;
-  const int info = LAPACKE_dstedc(LAPACK_COL_MAJOR, 'I', order, e.values.data(), subdiagonal.data(), e.vectors.data(), order);
-  require_success(info, "dstedc", "an eigenvalue of a sub-block did not converge");
+  SymmetricEigen e = tridiagonal_eigen(diagonal_, subdiagonal_);
   multiply_left(q_, e.vectors);
   e.values *= unit_;
   return e;
