@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace gyromode::dense {
 
 namespace {
@@ -27,7 +29,15 @@ void require_partition(const Component& component, const Labels& labels) {
 
 }  // namespace
 
-Matrix restricted(const Matrix& a, const std::vector<Index>& rows, const std::vector<Index>& columns) { return a(rows, columns); }
+Matrix restricted(const Matrix& a, const std::vector<Index>& rows, const std::vector<Index>& columns) {
+  const auto consecutive = [](const std::vector<Index>& at) {
+    return !at.empty() && at.back() - at.front() == static_cast<Index>(at.size()) - 1 && std::is_sorted(at.begin(), at.end());
+  };
+  if (!consecutive(rows)) return a(rows, columns);
+  Matrix part(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) part.col(static_cast<Index>(k)) = a.col(columns[k]).segment(rows.front(), part.rows());
+  return part;
+}
 
 void Spectrum::store_stiffness(const Definiteness& d) {
   stiffness_negative = reduced_negative = impedance_negative = d.negative;

@@ -1,5 +1,6 @@
 #include "gyromode/lapack/divide_conquer.h"
 
+#include "gyromode/lapack/rank_one_join.h"
 #include "gyromode/lapack/status.h"
 #include "gyromode/lapack/team.h"
 
@@ -7,11 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <vector>
-
-// LAPACK's join of two solved halves, which LAPACKE leaves out.
-extern "C" void dlaed1_(const int* n, double* d, double* q, const int* ldq, int* indxq, double* rho, const int* cutpnt, double* work, int* iwork, int* info);
 
 namespace gyromode::lapack {
 
@@ -25,8 +21,7 @@ int solve_part(Vector& d, Vector& e, Matrix& vectors, Index first, Index n) {
 
 void require_converged(int info) { require_success(info, "dstedc", "an eigenvalue of a sub-block did not converge"); }
 
-// T = diag(T₁, T₂) + |e| z zᵀ at the cut, z = e_cut ± e_{cut+1}: both halves at once, then the rank-one change. The entries of T are of order one, as
-// the join's deflation asks for.
+// T = diag(T₁, T₂) + |e| z zᵀ at the cut, z = e_cut ± e_{cut+1}: both halves at once, then the join.
 SymmetricEigen joined_halves(Vector d, Vector e) {
   const Index n = d.size();
   const Index cut = n / 2;
@@ -43,24 +38,8 @@ SymmetricEigen joined_halves(Vector d, Vector e) {
   require_converged(info1);
   require_converged(info2);
 
-  std::vector<int> ascending(static_cast<std::size_t>(n));  // of each half, from 1; then of the whole
-  std::iota(ascending.begin(), ascending.begin() + cut, 1);
-  std::iota(ascending.begin() + cut, ascending.end(), 1);
-  std::vector<int> integers(static_cast<std::size_t>(4 * n));
-  Vector work(4 * n + n * n);
-  double rho = coupling;
-  int info = 0;
-  const int order = static_cast<int>(n);
-  const int at = static_cast<int>(cut);
-  dlaed1_(&order, d.data(), vectors.data(), &order, ascending.data(), &rho, &at, work.data(), integers.data(), &info);
-  require_success(info, "dlaed1", "an eigenvalue did not converge");
-  SymmetricEigen sorted{Vector(n), Matrix(n, n)};
-  for (Index k = 0; k < n; ++k) {
-    const Index from = ascending[static_cast<std::size_t>(k)] - 1;
-    sorted.values(k) = d(from);
-    sorted.vectors.col(k) = vectors.col(from);
-  }
-  return sorted;
+  join_rank_one(d, vectors, cut, coupling);
+  return {std::move(d), std::move(vectors)};
 }
 
 }  // namespace

@@ -27,11 +27,13 @@ bool clearly_regular(double reciprocal_condition, const Vector& pivots) {
   return std::min(reciprocal_condition, ratio) > 100 * n * epsilon;
 }
 
+// Unit diagonal is as good as equilibration here: of all scalings it leaves a positive definite matrix within a factor n of the best condition (van der Sluis 1969).
 std::optional<Definiteness> positive_by_cholesky(const Matrix& k) {
   if (!(k.diagonal().array() > 0).all()) return std::nullopt;
-  Matrix l = k;
+  Matrix l = scaled(k, unit_diagonal_scale(k));
+  const double norm = norm1(l);
   if (lapack::cholesky(l)) return std::nullopt;
-  const double rcond = lapack::reciprocal_condition(l, norm1(k));
+  const double rcond = lapack::reciprocal_condition(l, norm);
   if (!clearly_regular(rcond, l.diagonal().cwiseAbs2())) return std::nullopt;
   return Definiteness{0, 0, k.rows(), Matrix(k.rows(), 0), rcond};
 }
@@ -69,10 +71,13 @@ Definiteness by_eigenvalues(const Matrix& k, const Vector& scale) {
 }
 
 Definiteness of_nonzero_rows(const Matrix& k) {
+  const bool large = k.rows() > eigenvalues_up_to;
+  if (large) {
+    if (auto decided = positive_by_cholesky(k)) return *decided;
+  }
   const Vector scale = equilibrating_scale(k);
   const Matrix equilibrated = scaled(k, scale);
-  if (k.rows() > eigenvalues_up_to) {
-    if (auto decided = positive_by_cholesky(equilibrated)) return *decided;
+  if (large) {
     if (auto decided = regular_by_pivots(equilibrated)) return *decided;
   }
   return by_eigenvalues(equilibrated, scale);
