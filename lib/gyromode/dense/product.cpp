@@ -60,6 +60,11 @@ std::vector<std::vector<Index>> close_groups(const ComplexVector& mu, double gap
   return groups;
 }
 
+// A complex pair far from the real axis, and from every other root.
+bool isolated_pair(const ComplexVector& mu, const std::vector<Index>& group, double gap) {
+  return group.size() == 2 && mu(group[0]) == std::conj(mu(group[1])) && std::abs(mu(group[0]).imag()) > gap;
+}
+
 bool resolve_group(const Product& p, const Matrix& basis, std::vector<Root>& roots) {
   const Matrix eu = lapack::multiply_tn(basis, lapack::multiply(p.eu, basis));
   const Matrix v = velocity(p, basis);
@@ -99,8 +104,8 @@ std::vector<Root> roots_of(const Product& p, const Matrix& product, int depth) {
     const bool is_small = depth < deepest && std::all_of(group.begin(), group.end(), [&](Index i) { return std::abs(e.values(i)) <= small_ratio * largest; });
     if (is_small) {
       small.insert(small.end(), group.begin(), group.end());
-    } else if (group.size() == 1) {
-      roots.push_back({e.values(group[0]), e.vectors.col(group[0])});
+    } else if (group.size() == 1 || isolated_pair(e.values, group, close_ratio * largest)) {
+      for (const Index i : group) roots.push_back({e.values(i), e.vectors.col(i)});
     } else if (!resolve_group(p, real_basis(e.vectors, e.values, group), roots)) {
       for (const Index i : group) roots.push_back({e.values(i), e.vectors.col(i)});  // defective: the plain roots
     }

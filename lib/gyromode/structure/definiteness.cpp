@@ -51,11 +51,11 @@ std::optional<Definiteness> regular_by_pivots(const Matrix& k) {
 Definiteness by_eigenvalues(const Matrix& k, const Vector& scale) {
   const Index n = k.rows();
   Definiteness result;
-  const auto e = lapack::symmetric_eigen(k);
-  const double largest = e.values.cwiseAbs().maxCoeff();
+  const Vector values = lapack::symmetric_eigenvalues(k);
+  const double largest = values.cwiseAbs().maxCoeff();
   const double threshold = 8 * static_cast<double>(n) * epsilon * largest;
   double smallest = largest;
-  for (const double lambda : e.values) {
+  for (const double lambda : values) {
     if (std::abs(lambda) <= threshold) {
       ++result.zero;
     } else {
@@ -64,9 +64,11 @@ Definiteness by_eigenvalues(const Matrix& k, const Vector& scale) {
     }
   }
   result.margin = result.zero < n ? smallest / largest : 0;
-  // K̂ v = 0 means K (D v) = 0. Zero eigenvalues stand together, after the negative ones.
-  result.null_space = scale.asDiagonal() * e.vectors.middleCols(result.negative, result.zero);
-  result.null_space.colwise().normalize();
+  result.null_space.resize(n, result.zero);
+  if (result.zero > 0) {  // K̂ v = 0 means K (D v) = 0. Zero eigenvalues stand together, after the negative ones.
+    result.null_space = scale.asDiagonal() * lapack::symmetric_eigen(k).vectors.middleCols(result.negative, result.zero);
+    result.null_space.colwise().normalize();
+  }
   return result;
 }
 
