@@ -154,6 +154,32 @@ TEST(SkewTridiagonal, GradedBothWays) {
   }
 }
 
+// Large enough for a team of threads where there is more than one processor.
+TEST(SkewTridiagonal, LargeOrdersByTheTeam) {
+  std::mt19937_64 source(10);
+  for (const Index n : {513, 700}) expect_small(ratios(skew(source, n)), n);
+}
+
+TEST(SkewMultiply, TeamsOfAnySizeAgree) {
+  std::mt19937_64 source(11);
+  const Index n = 450;
+  const Matrix z = skew(source, n);
+  const Vector v = gaussian(source, n, 1);
+  for (const int threads : {1, 2, 3}) {
+    lapack::Team team(threads);
+    SkewMultiply multiply(team, n);
+    for (const Index first : {0, 7, 300}) {
+      Vector y(n - first);
+      multiply(z, first, v.data(), y.data());
+      const Vector expected = z.bottomRightCorner(n - first, n - first) * v.head(n - first);
+      EXPECT_LE((y - expected).norm(), static_cast<double>(n) * epsilon * expected.norm()) << threads << " threads from " << first;
+    }
+    for (int part = 0; part < threads; ++part) EXPECT_LE(equal_area(n, part, threads), equal_area(n, part + 1, threads));
+    EXPECT_EQ(equal_area(n, 0, threads), 0);
+    EXPECT_EQ(equal_area(n, threads, threads), n);
+  }
+}
+
 // Powers of two are exact, far from under- and overflow of squares.
 TEST(SkewTridiagonal, DoesNotDependOnTheUnit) {
   std::mt19937_64 source(7);

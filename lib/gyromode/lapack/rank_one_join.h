@@ -8,7 +8,7 @@ namespace gyromode::lapack {
 /// and z = (last row of Q₁, ± first row of Q₂). The entries of T are of order one.
 ///   d       the eigenvalues of both halves, each ascending; on return those of the whole, ascending
 ///   q       diag(Q₁, Q₂), n × n; on return the vectors
-///   cut     order of T₁
+///   cut     order of T₁, 1 … n/2
 ///   rho     the coupling, with its sign
 /// Deflation and the roots of the secular equation are LAPACK's (dlaed2, dlaed4); roots and vectors are shared out among the threads of the BLAS, which
 /// dlaed3 does not do.
