@@ -37,6 +37,7 @@ Matrix MassNormal::stiffness_root(const Matrix& k) const {
 }
 
 void MassNormal::to_physical(MatrixSpan z) const {
+  if (z.cols() == 0) return;  // of no rows, where there are none
   lapack::solve_lower_transposed(l_, z);
   z = scale_.asDiagonal() * z;
 }
@@ -56,6 +57,7 @@ void MassNormal::to_normal(MatrixSpan q) const {
 }
 
 void MassNormalGroups::to_physical(ComplexMatrix& z) const {
+  if (z.cols() == 0) return;  // of no rows, where there are none
   Index row = 0;
   for (const MassNormal& group : groups_) {
     ComplexMatrix part = z.middleRows(row, group.size());

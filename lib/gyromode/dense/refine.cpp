@@ -4,7 +4,7 @@
 #include "gyromode/dense/pencil.h"
 #include "gyromode/lapack/indefinite.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -196,8 +196,8 @@ template <class AnyMatrix>
 bool parallel(const Spectrum& s, const std::vector<Index>& group) {
   constexpr double limit = 1e-2;
   const AnyMatrix x = taken(s, group, AnyMatrix()).colwise().normalized();
-  const Eigen::JacobiSVD<AnyMatrix> svd(x);
-  return svd.singularValues()(svd.singularValues().size() - 1) < limit;
+  const Eigen::SelfAdjointEigenSolver<AnyMatrix> gram(x.adjoint() * x, Eigen::EigenvaluesOnly);
+  return gram.eigenvalues()(0) < limit * limit;
 }
 
 template <class AnyMatrix>

@@ -35,7 +35,8 @@ struct Deflated {
 Deflated deflated(Vector& d, Matrix& q, Index cut, double rho) {
   const Index n = d.size();
   const std::size_t size = static_cast<std::size_t>(n);
-  Integers ascending(size), index(size), type(size), place(size);
+  Integers ascending(size), index(size), place(size);
+  Integers type(std::max<std::size_t>(size, 4));  // on return how many columns are of each of four types
   std::iota(ascending.begin(), ascending.begin() + cut, 1);
   std::iota(ascending.begin() + cut, ascending.end(), 1);
   Vector row(n);

@@ -3,6 +3,7 @@
 #include <cblas.h>
 
 #include <algorithm>
+#include <limits>
 
 #ifdef __linux__
 #include <pthread.h>
@@ -13,7 +14,9 @@ namespace gyromode::lapack {
 
 namespace {
 
+constexpr int busy_spins = 2000;  // some microseconds: a yield may cost a whole time slice where others want the processor
 constexpr int spins = 2000;
+constexpr std::uint64_t first_of_next_round = 1 << 16;
 
 // The cores this thread may run on but the one it is on. A new thread starts on the core of its parent, and may share it for longer than the work takes.
 #ifdef __linux__
@@ -33,17 +36,28 @@ Cores other_cores() { return {}; }
 void stay_on(const Cores&) {}
 #endif
 
+// Until `done` is true, or `yields` were given away.
+template <class Condition>
+void wait_for(const Condition& done, int yields) {
+  for (int spin = 0; spin < busy_spins; ++spin) {
+    if (done()) return;
+  }
+  for (int spin = 0; spin < yields && !done(); ++spin) std::this_thread::yield();
+}
+
 }  // namespace
 
 Team::Team(int threads) {
   if (threads < 2) return;
+  size_ = threads;
+  next_ = static_cast<std::uint64_t>(threads);  // round 0, all of it taken
   blas_threads_ = openblas_get_num_threads();
   openblas_set_num_threads(1);
   const Cores cores = other_cores();
   for (int part = 1; part < threads; ++part) {
-    others_.emplace_back([this, part, cores] {
+    others_.emplace_back([this, cores] {
       stay_on(cores);
-      serve(part);
+      serve();
     });
   }
 }
@@ -51,31 +65,42 @@ Team::Team(int threads) {
 Team::~Team() {
   if (others_.empty()) return;
   stop_ = true;
-  round_.fetch_add(1);
-  round_.notify_all();
+  next_.fetch_add(first_of_next_round);  // no part of it is free, but it wakes
+  next_.notify_all();
   openblas_set_num_threads(blas_threads_);
 }
 
-void Team::serve(int part) {
-  unsigned seen = 0;
-  for (;;) {
-    for (int spin = 0; spin < spins && round_.load(std::memory_order_acquire) == seen; ++spin) std::this_thread::yield();
-    round_.wait(seen);
-    seen = round_.load(std::memory_order_acquire);
-    if (stop_) return;
-    (*work_)(part);
+// Takes a part of the round `seen`, where one is free, and brings `seen` up to date.
+bool Team::work_on_next_part(std::uint64_t& seen) {
+  seen = next_.load(std::memory_order_acquire);
+  while (static_cast<int>(seen % first_of_next_round) < size()) {
+    if (!next_.compare_exchange_weak(seen, seen + 1, std::memory_order_acq_rel, std::memory_order_acquire)) continue;
+    (*work_)(static_cast<int>(seen % first_of_next_round));
     finished_.fetch_add(1, std::memory_order_release);
+    return true;
+  }
+  return false;
+}
+
+void Team::serve() {
+  std::uint64_t seen = 0;
+  while (!stop_) {
+    if (work_on_next_part(seen)) continue;
+    wait_for([&] { return next_.load(std::memory_order_acquire) != seen; }, spins);
+    next_.wait(seen, std::memory_order_acquire);
   }
 }
 
 void Team::run(const std::function<void(int)>& work) {
   if (others_.empty()) return work(0);
   work_ = &work;
-  finished_.store(0);
-  round_.fetch_add(1, std::memory_order_release);
-  round_.notify_all();
-  work(0);
-  while (finished_.load(std::memory_order_acquire) + 1 < size()) std::this_thread::yield();
+  finished_.store(0, std::memory_order_relaxed);
+  const std::uint64_t last = next_.load(std::memory_order_relaxed);
+  next_.store((last / first_of_next_round + 1) * first_of_next_round, std::memory_order_release);
+  next_.notify_all();
+  std::uint64_t seen = 0;
+  while (work_on_next_part(seen)) continue;
+  wait_for([&] { return finished_.load(std::memory_order_acquire) == size(); }, std::numeric_limits<int>::max());
 }
 
 int threads_for(Index n) {

@@ -3,6 +3,7 @@
 #include "gyromode/lapack/types.h"
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -18,18 +19,21 @@ class Team {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  int size() const { return 1 + static_cast<int>(others_.size()); }
+  int size() const { return size_; }
   /// Rows or columns begin(n, part) … + count(n, part) of n belong to `part` where all cost the same.
   Index begin(Index n, int part) const { return n * part / size(); }
   Index count(Index n, int part) const { return begin(n, part + 1) - begin(n, part); }
-  /// Calls work(0), …, work(size() − 1), each in a thread of its own, and returns when all have. `work` must not throw.
+  /// Calls work(0), …, work(size() − 1), each once, and returns when all have. A part goes to the first thread that is free: where the others do not get a
+  /// processor, the caller does everything. `work` must not throw.
   void run(const std::function<void(int)>& work);
 
  private:
-  void serve(int part);
+  bool work_on_next_part(std::uint64_t& seen);
+  void serve();
 
+  int size_ = 1;
   const std::function<void(int)>* work_ = nullptr;
-  std::atomic<unsigned> round_{0};
+  std::atomic<std::uint64_t> next_{0};  ///< round and, in the low bits, the first part of it that nobody has taken
   std::atomic<int> finished_{0};
   std::atomic<bool> stop_{false};
   int blas_threads_ = 1;              ///< to return to
