@@ -1,4 +1,4 @@
-// The example of README.md: modes of a rotating mass on springs (keep the two alike).
+// Modes of a rotating mass on springs, by the installed package.
 #include <gyromode/modes/modes.h>
 
 #include <cstdio>

@@ -180,6 +180,22 @@ TEST_F(ModelToml, SpinNeedsWhatItActsOnAndTheReverse) {
             "model.toml:1: key 'stiffness' is missing: a Matrix Market file or rows of numbers was expected");
 }
 
+TEST_F(ModelToml, KnownValuesAreCheckedWhereTheyStand) {
+  const std::string start = "kind = 'matrices'\n";
+  const std::string model = start + "mass = [[1]]\nstiffness = [[1]]\n[known]\n";
+  EXPECT_EQ(error(model + "stability = \"stabel\"\n"),
+            "model.toml:5:13: 'stabel' is no stability: stable, gyroscopically_stabilised, marginal, unstable was expected");
+  EXPECT_EQ(error(model + "class = \"special\"\n"), "model.toml:5:9: 'special' is no class: quadrature, general was expected");
+  EXPECT_EQ(error(model + "frequencies = [2, 1]\n"), "model.toml:5:15: 'frequencies' do not ascend: rad/s in ascending order were expected");
+  EXPECT_EQ(error(model + "frequency = [1]\n"), "model.toml:5:1: key 'frequency' is not known here: did you mean 'frequencies'?");
+}
+
+TEST_F(ModelToml, LabelsPrintOnOneLine) {
+  const std::string start = "kind = 'matrices'\n";
+  EXPECT_EQ(error(start + "labels = [\"a\\nb\"]\nmass = [[1]]\nstiffness = [[1]]\n"),
+            "model.toml:2:10: label 1, 'a\\x0ab', has a control character: a name that prints on one line was expected");
+}
+
 TEST_F(ModelToml, UnknownKeys) {
   const std::string start = "kind = 'matrices'\n";
   EXPECT_EQ(error(start + "stifness = [[1]]\n"), "model.toml:2:1: key 'stifness' is not known here: did you mean 'stiffness'?");

@@ -322,7 +322,8 @@ TEST(Definiteness, FreeCoordinateIsNullInAnyUnit) {  // its row of zeros keeps d
   EXPECT_LE(std::hypot(d.null_space(0, 0), d.null_space(2, 0)), 100 * epsilon);
 }
 
-TEST(Definiteness, DISABLED_NullSpaceHasFullRankInMixedUnits) {  // columns of length 1 point the same way once the units differ
+// Columns of length 1 point the same way once the units differ, unless they are made independent.
+TEST(Definiteness, NullSpaceHasFullRankInMixedUnits) {
   const Vector u = Eigen::Vector4d(1, 2, 3, 4), v = Eigen::Vector4d(1, -1, 1, 2), t = Eigen::Vector4d(0x1p-30, 0x1p-10, 0x1p10, 0x1p30);
   const Definiteness d = definiteness(t.asDiagonal() * (u * u.transpose() + v * v.transpose()) * t.asDiagonal());
   ASSERT_EQ(d.zero, 2);

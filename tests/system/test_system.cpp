@@ -86,6 +86,7 @@ std::vector<Breach> breaches() {
       broken([](Model& a) { a.g(1, 1) = 1.5; }, "G must satisfy G = −Gᵀ: the diagonal entry (2,2) = 1.5 must be 0, it is 50 % of the largest entry"),
       broken([](Model& a) { a.labels = {"x"}; }, "labels must name every coordinate once: 1 labels for 2 coordinates"),
       broken([](Model& a) { a.labels = {"x", ""}; }, "labels must not be empty"),
+      broken([](Model& a) { a.labels = {"x", "y\x1b[31m"}; }, "labels must print on one line: one has a control character"),
       broken([](Model& a) { a.labels = {"tilt", "tilt"}; }, "labels must differ: 'tilt' is given twice"),
   };
 }

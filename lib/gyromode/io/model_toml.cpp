@@ -3,10 +3,13 @@
 #include "gyromode/io/model.h"
 #include "gyromode/io/text_file.h"
 #include "gyromode/io/toml_table.h"
+#include "gyromode/system/promise.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <initializer_list>
 
 namespace gyromode::io {
 
@@ -44,6 +47,9 @@ void require_fitting_labels(const TomlTable& table, const Labels& labels, Index 
   if (static_cast<Index>(labels.size()) != n) table.fail("labels", fmt::format("'labels' has {} names: {} were expected, one a coordinate", labels.size(), n));
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i].empty()) table.fail("labels", fmt::format("label {} is empty: a name was expected", i + 1));
+    if (has_control_character(labels[i])) {
+      table.fail("labels", fmt::format("label {}, '{}', has a control character: a name that prints on one line was expected", i + 1, shown(labels[i])));
+    }
     if (std::find(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(i), labels[i]) != labels.begin() + static_cast<std::ptrdiff_t>(i)) {
       table.fail("labels", fmt::format("label '{}' is given twice: different names were expected", shown(labels[i])));
     }
@@ -80,14 +86,23 @@ std::variant<System, FirstOrderSystem> read_first_order(const TomlTable& table, 
   return FirstOrderSystem(std::move(inertia), std::move(g), std::move(labels));
 }
 
+std::string one_of(const TomlTable& table, std::string_view key, std::initializer_list<std::string_view> words) {
+  const std::string word = table.text(key).value_or("");
+  if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end()) {
+    table.fail(key, fmt::format("'{}' is no {}: {} was expected", shown(word), key, fmt::join(words, ", ")));
+  }
+  return word;
+}
+
 KnownValues read_known(const TomlTable& table) {
   KnownValues known;
   const auto inner = table.table("known");
   if (!inner) return known;
   inner->allow_only(known_keys);
   known.frequencies = inner->numbers("frequencies");
-  known.stability = inner->text("stability").value_or("");
-  known.system_class = inner->text("class").value_or("");
+  known.stability = one_of(*inner, "stability", {"stable", "gyroscopically_stabilised", "marginal", "unstable"});
+  known.system_class = one_of(*inner, "class", {"quadrature", "general"});
+  if (!std::is_sorted(known.frequencies.begin(), known.frequencies.end())) inner->fail("frequencies", "'frequencies' do not ascend: rad/s in ascending order were expected");
   return known;
 }
 

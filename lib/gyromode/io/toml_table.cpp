@@ -15,7 +15,8 @@
 namespace gyromode::io {
 
 struct TomlTable::Content {
-  toml::table table;
+  std::shared_ptr<const toml::table> document;  // whole: a copy of a part would not know its lines
+  const toml::table& table;
   std::filesystem::path file;
 };
 
@@ -68,7 +69,8 @@ Matrix inline_rows(const std::filesystem::path& file, const toml::array& rows, s
 TomlTable::TomlTable(std::string_view text, const std::filesystem::path& file) {
   if (text.empty()) throw InputError(file, "is empty: a TOML model was expected");
   try {
-    content_ = std::make_shared<const Content>(Content{toml::parse(text, file.string()), file});
+    const auto document = std::make_shared<const toml::table>(toml::parse(text, file.string()));
+    content_ = std::make_shared<const Content>(Content{document, *document, file});
   } catch (const toml::parse_error& e) {
     std::string message(e.description());
     for (char& c : message) {
@@ -131,7 +133,7 @@ std::optional<TomlTable> TomlTable::table(std::string_view key) const {
   const toml::node* node = content_->table.get(key);
   if (!node) return std::nullopt;
   if (!node->is_table()) fail(key, fmt::format("'{}' is {}: a table [{}] was expected", key, type_word(*node), key));
-  return TomlTable(std::make_shared<const Content>(Content{*node->as_table(), content_->file}));
+  return TomlTable(std::make_shared<const Content>(Content{content_->document, *node->as_table(), content_->file}));
 }
 
 std::optional<Matrix> TomlTable::matrix(std::string_view key, Digest& digest) const {

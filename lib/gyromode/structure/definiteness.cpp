@@ -48,6 +48,35 @@ std::optional<Definiteness> regular_by_pivots(const Matrix& k) {
   return Definiteness{negative, 0, k.rows() - negative, Matrix(k.rows(), 0), rcond};
 }
 
+// D v̂ of differing units point the same way. Gauss–Jordan elimination with complete pivoting makes the columns a unit matrix in some rows and at most about one
+// in the others: independent to working precision, and every entry keeps its relative accuracy as far as subtraction lets it.
+Matrix independent_columns(Matrix a) {
+  std::vector<bool> used(static_cast<std::size_t>(a.rows()), false);
+  for (Index k = 0; k < a.cols(); ++k) {
+    a.rightCols(a.cols() - k).colwise().normalize();
+    Index row = -1;
+    Index column = k;
+    for (Index j = k; j < a.cols(); ++j) {
+      for (Index i = 0; i < a.rows(); ++i) {
+        if (!used[static_cast<std::size_t>(i)] && (row < 0 || std::abs(a(i, j)) > std::abs(a(row, column)))) {
+          row = i;
+          column = j;
+        }
+      }
+    }
+    used[static_cast<std::size_t>(row)] = true;
+    a.col(k).swap(a.col(column));
+    a.col(k) /= a(row, k);
+    for (Index j = 0; j < a.cols(); ++j) {
+      if (j == k) continue;
+      a.col(j) -= a(row, j) * a.col(k);
+      a(row, j) = 0;
+    }
+  }
+  a.colwise().normalize();
+  return a;
+}
+
 Definiteness by_eigenvalues(const Matrix& k, const Vector& scale) {
   const Index n = k.rows();
   Definiteness result;
@@ -66,8 +95,7 @@ Definiteness by_eigenvalues(const Matrix& k, const Vector& scale) {
   result.margin = result.zero < n ? smallest / largest : 0;
   result.null_space.resize(n, result.zero);
   if (result.zero > 0) {  // K̂ v = 0 means K (D v) = 0. Zero eigenvalues stand together, after the negative ones.
-    result.null_space = scale.asDiagonal() * lapack::symmetric_eigen(k).vectors.middleCols(result.negative, result.zero);
-    result.null_space.colwise().normalize();
+    result.null_space = independent_columns(scale.asDiagonal() * lapack::symmetric_eigen(k).vectors.middleCols(result.negative, result.zero));
   }
   return result;
 }

@@ -94,6 +94,10 @@ void require_finite(std::string_view name, const Matrix& a) {
   }
 }
 
+bool has_control_character(std::string_view label) {
+  return std::any_of(label.begin(), label.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+}
+
 void require_labels(const Labels& labels, Index n) {
   if (static_cast<Index>(labels.size()) != n) {
     throw BrokenPromise(fmt::format("labels must name every coordinate once: {} labels for {} coordinates", labels.size(), n));
@@ -101,6 +105,7 @@ void require_labels(const Labels& labels, Index n) {
   std::unordered_set<std::string_view> seen;
   for (const std::string& label : labels) {
     if (label.empty()) throw BrokenPromise("labels must not be empty");
+    if (has_control_character(label)) throw BrokenPromise("labels must print on one line: one has a control character");
     if (!seen.insert(label).second) throw BrokenPromise(fmt::format("labels must differ: '{}' is given twice", label));
   }
 }

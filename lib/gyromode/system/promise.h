@@ -24,7 +24,8 @@ Labels default_labels(Index n);
 /// Throw BrokenPromise unless the matrix `name` keeps its promise. Entries count from 1 in messages, as in Matrix Market.
 void require_square(std::string_view name, const Matrix& a);
 void require_finite(std::string_view name, const Matrix& a);
-void require_labels(const Labels& labels, Index n);
+void require_labels(const Labels& labels, Index n);  ///< n of them, not empty, different, without control characters
+bool has_control_character(std::string_view label);
 /// A positive definite: scaled to unit diagonal, its smallest eigenvalue above n ε.
 void require_positive_definite(std::string_view name, const Matrix& a, const Labels& labels);
 
