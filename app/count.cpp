@@ -19,7 +19,7 @@ struct Options {
 
 int run(const Options& o) {
   if (!o.window.given()) throw UsageError("count needs a window: --below W or --window A:B");
-  Job job(o.source);
+  Job job(o.source, o.output);
   o.source.remark_on_tolerance(o.output);
   const Window window = o.window.read();
   const CountResult result = job.solve([&](const auto& system) { return count_modes(system, window, o.source.structure()); });

@@ -5,6 +5,8 @@
 
 #include "gyromode/io/document.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 #include <variant>
 
@@ -13,7 +15,10 @@ namespace gyromode::app {
 /// What every verb on a model does: read it, work on it, and know how long each took.
 class Job {
  public:
-  explicit Job(const ModelSource& source) : model_(source.read()) { timings_.read = watch_.lap(); }
+  Job(const ModelSource& source, const OutputOption& output) : model_(source.read()) {
+    timings_.read = watch_.lap();
+    if (model_.size() >= worth_a_word) output.say(fmt::format("{} coordinates read in {:.2g} s; solving", model_.size(), timings_.read));
+  }
 
   const io::Model& model() const { return model_; }
   const io::Timings& timings() const { return timings_; }
@@ -27,6 +32,8 @@ class Job {
   }
 
  private:
+  static constexpr Index worth_a_word = 1000;  // from here on a solve takes seconds
+
   Stopwatch watch_;
   io::Model model_;
   io::Timings timings_;

@@ -36,7 +36,7 @@ dense::Method method_named(const std::string& name) {
 }
 
 int run(const Options& o) {
-  Job job(o.source);
+  Job job(o.source, o.output);
   ModesOptions options;
   options.method = method_named(o.method);
   options.window = o.window.read();

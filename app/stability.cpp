@@ -17,7 +17,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  Job job(o.source);
+  Job job(o.source, o.output);
   o.source.remark_on_tolerance(o.output);
   ModesOptions options;
   options.structure = o.source.structure();

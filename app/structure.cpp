@@ -25,7 +25,7 @@ Stiffness described(const System& s) {
 Stiffness described(const FirstOrderSystem&) { return {}; }
 
 int run(const Options& o) {
-  Job job(o.source);
+  Job job(o.source, o.output);
   const io::StructureReport report = job.solve([&](const auto& system) {
     io::StructureReport r;
     r.coupling_tolerance = o.source.coupling_tolerance;
