@@ -157,6 +157,8 @@ TEST(Triangular, SolvesAndMultiplies) {
     }
     const Matrix l = random_lower(n, random), a = random_symmetric(n, random), k = congruence(l, l * a * l.transpose());
     EXPECT_TRUE(k == k.transpose()) << n;
+    const Matrix gram = gram_of_lower(l).triangularView<Eigen::Lower>();
+    expect_small(Matrix(gram - Matrix(Matrix(l.transpose() * l).triangularView<Eigen::Lower>())), 10 * real(n + 1) * epsilon * l.squaredNorm(), "LᵀL");
     expect_small(Matrix(k - a), 100 * real(n + 1) * epsilon * (1 + l.norm() * l.inverse().norm() * a.norm()), "L⁻¹ L A Lᵀ L⁻ᵀ = A");
   }
 }

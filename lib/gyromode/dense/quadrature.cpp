@@ -38,10 +38,18 @@ QuadratureModes recovered(const QuadratureForm& form, const Vector& omega, const
 // W = [f b]ᵀ[f b] + diag(0, k₂), its lower triangle.
 Matrix w_matrix(const QuadratureForm& form) {
   const Matrix& f = form.first.root();
+  const Index q = f.cols();
   const Index r = form.b.cols();
-  Matrix fb(f.rows(), f.cols() + r);
-  fb << f, form.b;
-  Matrix w = lapack::gram_lower(fb);
+  Matrix w(q + r, q + r);
+  if (f.rows() == q) {  // a square f is lower triangular
+    w.topLeftCorner(q, q) = lapack::gram_of_lower(f);
+    w.bottomLeftCorner(r, q) = form.b.transpose();
+    lapack::multiply_lower_right(f, w.bottomLeftCorner(r, q));
+  } else {
+    w.topLeftCorner(q, q) = lapack::gram_lower(f);
+    lapack::multiply_into(w.bottomLeftCorner(r, q), 1, form.b, true, f, false, 0);
+  }
+  w.bottomRightCorner(r, r) = lapack::gram_lower(form.b);
   w.bottomRightCorner(r, r).triangularView<Eigen::Lower>() += form.second.k();
   return w;
 }
@@ -59,8 +67,9 @@ bool small_frequencies(const lapack::Tridiagonal& w, double norm_w) {
 bool accurate(const QuadratureModes& modes, double norm_w, double norm_k) {
   const double n = static_cast<double>(modes.x.rows() + modes.y.rows());
   for (Index i = 0; i < modes.omega.size(); ++i) {
-    const double shape = modes.omega(i) * modes.omega(i) * (modes.x.col(i).squaredNorm() + modes.y.col(i).squaredNorm());
-    if (!(norm_w <= n * norm_k * shape)) return false;
+    const double scale = n * norm_k * modes.omega(i) * modes.omega(i);
+    const double y = scale * modes.y.col(i).squaredNorm();
+    if (!(norm_w <= y) && !(norm_w <= y + scale * modes.x.col(i).squaredNorm())) return false;
   }
   return true;
 }

@@ -54,6 +54,13 @@ void solve_lower_transposed_right(const MatrixView& l, MatrixSpan b) { triangula
 void multiply_lower_transposed(const MatrixView& l, MatrixSpan b) { triangular_multiply(CblasLeft, CblasTrans, l, b); }
 void multiply_lower_right(const MatrixView& l, MatrixSpan b) { triangular_multiply(CblasRight, CblasNoTrans, l, b); }
 
+Matrix gram_of_lower(Matrix l) {
+  if (l.size() == 0) return l;
+  const int order = dimension(l.rows(), "dlauum");
+  require_success(LAPACKE_dlauum(LAPACK_COL_MAJOR, 'L', order, l.data(), order), "dlauum", "");
+  return l;
+}
+
 Matrix congruence(const MatrixView& l, Matrix a) {
   if (a.size() == 0) return a;
   const int info = LAPACKE_dsygst(LAPACK_COL_MAJOR, 1, 'L', dimension(a.rows(), "dsygst"), a.data(), dimension(a.outerStride(), "dsygst"), l.data(),

@@ -23,6 +23,9 @@ void multiply_lower_transposed(const MatrixView& l, MatrixSpan b);
 /// b := b L.
 void multiply_lower_right(const MatrixView& l, MatrixSpan b);
 
+/// LᵀL for lower triangular L (n × n), the lower triangle only: what stands above it is not defined (dlauum).
+Matrix gram_of_lower(Matrix l);
+
 /// L⁻¹ A L⁻ᵀ for symmetric A (n × n, lower triangle read), symmetric to the last bit (dsygst).
 Matrix congruence(const MatrixView& l, Matrix a);
 
