@@ -3,6 +3,7 @@
 #include "errors.h"
 
 #include "gyromode/io/unit.h"
+#include "gyromode/system/promise.h"
 
 #include <fmt/format.h>
 
@@ -20,17 +21,28 @@ void ModelSource::add_to(CLI::App& verb, bool tolerant) {
       ->check(CLI::Range(0.0, 0.1));
 }
 
+// A broken promise is known by its matrix; which files the matrices came from is known here.
+template <class Reader>
+io::Model promised(const std::string& files, Reader&& reader) {
+  try {
+    return reader();
+  } catch (const BrokenPromise& e) {
+    throw BrokenPromise(fmt::format("{}: {}", files, e.what()));
+  }
+}
+
 io::Model ModelSource::read() const {
   const bool matrices = !mass.empty() || !gyroscopic.empty() || !stiffness.empty();
   if (model.empty() == !matrices) {
     throw UsageError(matrices ? "give a model file or --mass and --stiffness, not both"
                               : "no model: give a model file (gyromode modes models/rigid_body.toml) or --mass M.mtx [--gyroscopic G.mtx] --stiffness K.mtx");
   }
-  if (!matrices) return io::read_model(model);
+  if (!matrices) return promised(model, [&] { return io::read_model(model); });
   if (mass.empty() || stiffness.empty()) {
     throw UsageError(fmt::format("{} is missing: M and K are both needed (G may be left out)", mass.empty() ? "--mass" : "--stiffness"));
   }
-  return io::read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness);
+  const std::string files = fmt::format("{}, {}{}{}", mass, gyroscopic, gyroscopic.empty() ? "" : ", ", stiffness);
+  return promised(files, [&] { return io::read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness); });
 }
 
 void ModelSource::remark_on_tolerance(const OutputOption& output) const {

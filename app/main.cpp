@@ -1,13 +1,26 @@
 #include "exit_code.h"
 #include "verbs.h"
 
+#include "gyromode/io/nearest.h"
 #include "gyromode/lapack/memory.h"
 #include "gyromode/version.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+std::string nearest_verb(const CLI::App& program, std::string_view word) {
+  std::vector<std::string_view> verbs;
+  for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) verbs.push_back(verb->get_name());
+  return gyromode::io::nearest(word, verbs);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace gyromode::app;
@@ -27,6 +40,10 @@ int main(int argc, char** argv) {
   add_count(program, code);
   add_stability(program, code);
   add_convert(program, code);
+  if (argc > 1 && argv[1][0] != '-' && !program.get_subcommand_no_throw(argv[1])) {
+    std::fprintf(stderr, "gyromode: '%s' is no verb: did you mean '%s'? (see gyromode --help)\n", argv[1], nearest_verb(program, argv[1]).c_str());
+    return wrong_usage;
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -53,7 +53,7 @@ class Errors(unittest.TestCase):
         self.refused(1, ["0 ≤ A < B"], "modes", MODELS / "wiresaw.toml", "--window", "5:2")
         self.refused(1, ["window"], "count", MODELS / "wiresaw.toml")
         self.assertEqual(run("modes", MODELS / "wiresaw.toml", "--lowest", "0").returncode, 1)
-        self.assertEqual(run("nonsense").returncode, 1)
+        self.refused(1, ["'mods' is no verb", "did you mean 'modes'"], "mods", MODELS / "wiresaw.toml")
         self.assertEqual(run().returncode, 1)
 
     def test_unreadable(self):
@@ -75,7 +75,7 @@ class Errors(unittest.TestCase):
         self.refused(2, ["order"], "modes", *self.matrices("%%MatrixMarket matrix array real general\n1 1\n1\n", self.UNIT))
 
     def test_against_a_law(self):
-        self.refused(3, ["M must be positive definite"], "modes", self.model('kind = "matrices"\nmass = [[-1]]\nstiffness = [[1]]\n'))
+        self.refused(3, ["m.toml: M must be positive definite"], "modes", self.model('kind = "matrices"\nmass = [[-1]]\nstiffness = [[1]]\n'))
         self.refused(3, ["K must satisfy K = Kᵀ", "differ by"], "modes", self.model('kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[1, 2], [0, 1]]\n'))
         self.refused(3, ["G must satisfy G = −Gᵀ"], "modes",
                      self.model('kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[1, 0], [0, 1]]\ngyroscopic = [[0, 3], [-2.5, 0]]\n'))
