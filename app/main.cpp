@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -14,10 +15,10 @@
 
 namespace {
 
-std::string nearest_verb(const CLI::App& program, std::string_view word) {
+std::vector<std::string_view> verbs_of(const CLI::App& program) {
   std::vector<std::string_view> verbs;
   for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) verbs.push_back(verb->get_name());
-  return gyromode::io::nearest(word, verbs);
+  return verbs;
 }
 
 }  // namespace
@@ -40,8 +41,9 @@ int main(int argc, char** argv) {
   add_count(program, code);
   add_stability(program, code);
   add_convert(program, code);
-  if (argc > 1 && argv[1][0] != '-' && !program.get_subcommand_no_throw(argv[1])) {
-    std::fprintf(stderr, "gyromode: '%s' is no verb: did you mean '%s'? (see gyromode --help)\n", argv[1], nearest_verb(program, argv[1]).c_str());
+  const std::vector<std::string_view> verbs = verbs_of(program);
+  if (argc > 1 && argv[1][0] != '-' && std::find(verbs.begin(), verbs.end(), argv[1]) == verbs.end()) {
+    std::fprintf(stderr, "gyromode: '%s' is no verb: did you mean '%s'? (see gyromode --help)\n", argv[1], gyromode::io::nearest(argv[1], verbs).c_str());
     return wrong_usage;
   }
   try {
