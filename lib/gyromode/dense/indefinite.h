@@ -12,7 +12,7 @@ struct IndefiniteModes {
   ComplexMatrix shapes;              ///< n × m
   std::vector<double> divergence;    ///< σ > 0 of pairs ±σ
   std::vector<Complex> flutter;      ///< σ + jω, σ, ω > 0, of quadruples ±σ ± jω
-  ComplexMatrix flutter_shapes;             ///< n × quadruples
+  ComplexMatrix flutter_shapes;      ///< n × quadruples
 };
 
 /// All roots of z̈ + Γż + kz = 0, k symmetric and indefinite, with the Hamiltonian structure kept (theory §3c).
