@@ -1,0 +1,45 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+
+#include <random>
+
+namespace gyromode::support {
+
+/// Seeded random matrices for tests of one solver.
+struct Source {
+  std::mt19937_64 bits;
+
+  Index integer(Index a, Index b) { return std::uniform_int_distribution<Index>(a, b)(bits); }
+  Matrix gaussian(Index rows, Index cols) {
+    std::normal_distribution<double> normal;
+    Matrix a(rows, cols);
+    for (double& x : a.reshaped()) x = normal(bits);
+    return a;
+  }
+  Matrix integers(Index rows, Index cols, Index most) {
+    Matrix a(rows, cols);
+    for (double& x : a.reshaped()) x = static_cast<double>(integer(-most, most));
+    return a;
+  }
+  Matrix orthogonal(Index n) { return Eigen::HouseholderQR<Matrix>(gaussian(n, n)).householderQ() * Matrix::Identity(n, n); }
+  Matrix skew(Index n) {
+    const Matrix a = gaussian(n, n);
+    return a - a.transpose();
+  }
+  /// Symmetric with |eigenvalues| in [0.5, 2], `negative` of them below zero.
+  Matrix symmetric(Index n, Index negative) {
+    Vector d(n);
+    for (Index i = 0; i < n; ++i) d(i) = std::uniform_real_distribution<double>(0.5, 2)(bits) * (i < negative ? -1 : 1);
+    const Matrix q = orthogonal(n);
+    const Matrix k = q * d.asDiagonal() * q.transpose();
+    return 0.5 * (k + k.transpose());
+  }
+};
+
+inline Matrix lower_root(const Matrix& k) { return Eigen::LLT<Matrix>(k).matrixL(); }
+
+}  // namespace gyromode::support
