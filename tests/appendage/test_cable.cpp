@@ -119,14 +119,14 @@ TEST(Cable, PairOfGeosHasTheFunctionsOfThePaper) {
 }
 
 // The poles of a wire on a hub of small radius are near those on none: out of plane Ω√(n(2n − 1)), in plane Ω√(n(2n − 1) − 1).
-TEST(Cable, PolesBelow) {
+TEST(Cable, FixedRootFrequenciesAreCounted) {
   const double spin = 0.7;
   const CableImpedance c({0.3, 1e-9, 0, 20, 0.003, 0}, spin);
   for (int n = 2; n <= 30; ++n) {
     const double square = n * (2.0 * n - 1);
-    EXPECT_EQ(c.poles_below(spin * std::sqrt(square - 1) * (1 - 1e-6)), 2 * (n - 1));
-    EXPECT_EQ(c.poles_below(spin * std::sqrt(square - 1) * (1 + 1e-6)), 2 * n - 1);
-    EXPECT_EQ(c.poles_below(spin * std::sqrt(square) * (1 + 1e-6)), 2 * n);
+    EXPECT_EQ(c.fixed_root_negative(spin * std::sqrt(square - 1) * (1 - 1e-6)), 2 * (n - 1));
+    EXPECT_EQ(c.fixed_root_negative(spin * std::sqrt(square - 1) * (1 + 1e-6)), 2 * n - 1);
+    EXPECT_EQ(c.fixed_root_negative(spin * std::sqrt(square) * (1 + 1e-6)), 2 * n);
   }
 }
 

@@ -67,7 +67,7 @@ HubMatrix CableImpedance::at(double omega) const {
   return q.transpose() * local * q;
 }
 
-Index CableImpedance::poles_below(double omega) const {
+Index CableImpedance::fixed_root_negative(double omega) const {
   const double lambda = (omega / spin_) * (omega / spin_);
   return wire_field(1 + lambda, z_root_, tip_mass_ratio_).zeros + wire_field(lambda, z_root_, tip_mass_ratio_).zeros;
 }

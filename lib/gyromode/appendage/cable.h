@@ -1,11 +1,8 @@
 #pragma once
 
-#include "gyromode/lapack/types.h"
+#include "gyromode/appendage/hub_matrix.h"
 
 namespace gyromode {
-
-/// Root motion of an appendage: (ζ1, ζ2, ζ3, θ1, θ2, θ3), displacement of a point O of axis 3 and rotation vector of the body, in axes that turn with it.
-using HubMatrix = Eigen::Matrix<Complex, 6, 6>;
 
 /// A perfectly flexible, inextensible wire boom, hinged at its root, radial and taut by the spin alone.
 struct Cable {
@@ -26,10 +23,10 @@ class CableImpedance {
  public:
   CableImpedance(const Cable& cable, double spin);
 
-  /// H_cable(ω) of (4): − force and moment on the body for unit root motions e^{jωt}, with the static second-order terms of the root tension. Hermitian.
+  /// H_cable(ω): − force and moment on the body for unit root motions e^{jωt}, with the static second-order terms of the root tension. Hermitian.
   HubMatrix at(double omega) const;
-  /// How many fixed-root frequencies of the cable, in plane and out of plane, are below ω > 0.
-  Index poles_below(double omega) const;
+  /// n₋ of the impedance of the cable with its root held: how many fixed-root frequencies, in plane and out of plane, are below ω > 0.
+  Index fixed_root_negative(double omega) const;
 
  private:
   struct Fields;  // logarithmic derivatives at the root, 1/m
