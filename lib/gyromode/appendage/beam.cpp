@@ -30,8 +30,8 @@ HubMatrix BeamImpedance::at(double omega) const {
   Eigen::Matrix4d stiffness = Eigen::Matrix4d::Zero();  // on (X, X′, η, η′) at the root
   for (int k = 0; k < 2; ++k) {
     const Eigen::Matrix2d d = cantilever_stiffness(pair.kappa[k], beam_.length, beam_.tip_mass / beam_.line_density);
-    for (int i = 0; i < 2; ++i) {
-      for (int n = 0; n < 2; ++n) stiffness.block<2, 2>(2 * i, 2 * n) += pair.v(i, k) * pair.v(n, k) * d;
+    for (Index i = 0; i < 2; ++i) {
+      for (Index n = 0; n < 2; ++n) stiffness.block<2, 2>(2 * i, 2 * n) += pair.v(i, k) * pair.v(n, k) * d;
     }
   }
   // X = ζ1 + hθ2, Y = ζ2 − hθ1, slopes along the boom ±θ2 and ∓θ1; η = jY.

@@ -11,7 +11,7 @@ namespace gyromode::dense {
 
 namespace {
 
-QuadratureModes collected(const QuadratureForm& form, std::vector<ProductRoot> roots) {
+QuadratureModes collected(const QuadratureForm& form, const std::vector<ProductRoot>& roots) {
   const Index p = form.first.k().rows();
   const Index r = form.second.k().rows();
   QuadratureModes modes;
@@ -96,7 +96,7 @@ QuadratureModes solved(const QuadratureForm& form) {
   const Regular regular = without_zero_roots(product, form);
   auto roots = roots_of(regular.product, product_matrix(regular.product));
   for (ProductRoot& r : roots) r.u = (regular.u * r.u).eval();
-  return collected(form, std::move(roots));
+  return collected(form, roots);
 }
 
 // u = (x, ẏ) mixes displacements with rates: their weight is right where time is counted in units of 1/γ.

@@ -44,7 +44,7 @@ UnstableRoot refine_unstable(const Impedance& h, Complex lambda, double reach) {
       continue;
     }
     const Complex slope = v.left.dot(h.characteristic_slope_at(lambda) * v.right);
-    const UnstableRoot here{lambda, v.right, h.scale(std::abs(lambda)) / std::abs(slope)};
+    UnstableRoot here{lambda, v.right, h.scale(std::abs(lambda)) / std::abs(slope)};
     if (first.shape.isZero(0)) first = here;
     Complex change = -v.left.dot(n * v.right) / slope;
     if (real) change = change.real();

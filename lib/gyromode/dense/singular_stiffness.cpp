@@ -30,7 +30,7 @@ ComplexMatrix solve_reduced_quadrature(const Deflation& d, Spectrum& s) {
   const Index p = d.reduced.split;
   const Index r = d.reduced.size() - p;
   const Index pairs = d.gyroscopic_null.cols() / 2;
-  const auto block = [&](Matrix k, Matrix null) {
+  const auto block = [&](const Matrix& k, Matrix null) {
     StiffnessBlock made = d.negative_in(k) == 0 ? StiffnessBlock(k, semidefinite_root(k, null)) : StiffnessBlock(k);
     made.set_null(std::move(null));
     return made;

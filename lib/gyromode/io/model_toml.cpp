@@ -87,7 +87,7 @@ std::variant<System, FirstOrderSystem> read_first_order(const TomlTable& table, 
 }
 
 std::string one_of(const TomlTable& table, std::string_view key, std::initializer_list<std::string_view> words) {
-  const std::string word = table.text(key).value_or("");
+  std::string word = table.text(key).value_or("");
   if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end()) {
     table.fail(key, fmt::format("'{}' is no {}: {} was expected", shown(word), key, fmt::join(words, ", ")));
   }

@@ -45,7 +45,7 @@ std::vector<Cut> possible_cuts(const Frequencies& f, const Window& w, Index at_z
 }
 
 // All boundaries between signs, narrowest first as the riskiest, and a few of the widest gaps; bounded, as each costs a factorisation.
-std::vector<Cut> chosen_cuts(std::vector<Cut> cuts) {
+std::vector<Cut> chosen_cuts(const std::vector<Cut>& cuts) {
   constexpr std::size_t most_boundaries = 64;
   constexpr std::size_t most_gaps = 2;
   std::vector<Cut> boundaries;
