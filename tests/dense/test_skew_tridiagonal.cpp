@@ -1,4 +1,6 @@
 // The skew tridiagonalisation against its slow twins: Z = Q T Qᵀ rebuilt, Q orthogonal, and the product kernel against the product.
+#include "support/random_matrices.h"
+
 #include "gyromode/dense/skew_multiply.h"
 #include "gyromode/dense/skew_tridiagonal.h"
 
@@ -15,12 +17,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-Matrix gaussian(std::mt19937_64& source, Index rows, Index cols) {
-  std::normal_distribution<double> normal;
-  Matrix a(rows, cols);
-  for (double& x : a.reshaped()) x = normal(source);
-  return a;
-}
+using support::gaussian;
 
 Matrix skew(std::mt19937_64& source, Index n) {
   const Matrix a = gaussian(source, n, n);

@@ -1,4 +1,6 @@
 // The stages of the symmetric eigenvalue problem and of the left singular vectors, against LAPACK's drivers and closed forms.
+#include "support/random_matrices.h"
+
 #include "gyromode/lapack/divide_conquer.h"
 #include "gyromode/lapack/rank_one_join.h"
 #include "gyromode/lapack/reflectors.h"
@@ -24,12 +26,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 double unit(Index n) { return 20 * static_cast<double>(n + 1) * epsilon; }
 
-Matrix gaussian(std::mt19937_64& source, Index rows, Index cols) {
-  std::normal_distribution<double> normal;
-  Matrix a(rows, cols);
-  for (double& x : a.reshaped()) x = normal(source);
-  return a;
-}
+using support::gaussian;
 
 Matrix symmetric(std::mt19937_64& source, Index n) {
   const Matrix a = gaussian(source, n, n);

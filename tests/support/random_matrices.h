@@ -9,17 +9,19 @@
 
 namespace gyromode::support {
 
+inline Matrix gaussian(std::mt19937_64& bits, Index rows, Index cols) {
+  std::normal_distribution<double> normal;
+  Matrix a(rows, cols);
+  for (double& x : a.reshaped()) x = normal(bits);
+  return a;
+}
+
 /// Seeded random matrices for tests of one solver.
 struct Source {
   std::mt19937_64 bits;
 
   Index integer(Index a, Index b) { return std::uniform_int_distribution<Index>(a, b)(bits); }
-  Matrix gaussian(Index rows, Index cols) {
-    std::normal_distribution<double> normal;
-    Matrix a(rows, cols);
-    for (double& x : a.reshaped()) x = normal(bits);
-    return a;
-  }
+  Matrix gaussian(Index rows, Index cols) { return support::gaussian(bits, rows, cols); }
   Matrix integers(Index rows, Index cols, Index most) {
     Matrix a(rows, cols);
     for (double& x : a.reshaped()) x = static_cast<double>(integer(-most, most));

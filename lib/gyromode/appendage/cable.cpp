@@ -1,7 +1,5 @@
 #include "gyromode/appendage/cable.h"
 
-#include "gyromode/appendage/legendre.h"
-
 #include <cmath>
 
 namespace gyromode {
@@ -11,18 +9,13 @@ double Cable::first_moment() const {
   return tip_mass * reach + 0.5 * line_density * length * (reach + radius);
 }
 
-struct CableImpedance::Fields {
-  double in_plane, out_of_plane;
-};
-
 CableImpedance::CableImpedance(const Cable& cable, double spin)
     : cable_(cable), spin_(spin), tension_(spin * spin * cable.first_moment()), reach_(cable.radius + cable.length),
-      tip_mass_ratio_(cable.tip_mass / (cable.line_density * reach_)), z_root_(cable.radius / (reach_ * std::sqrt(1 + 2 * tip_mass_ratio_))) {}
+      tip_mass_ratio_(cable.tip_mass / (cable.line_density * reach_)), unit_(reach_ * std::sqrt(1 + 2 * tip_mass_ratio_)), z_root_(cable.radius / unit_) {}
 
 CableImpedance::Fields CableImpedance::fields(double omega) const {
   const double lambda = (omega / spin_) * (omega / spin_);
-  const double unit = reach_ * std::sqrt(1 + 2 * tip_mass_ratio_);
-  return {wire_field(1 + lambda, z_root_, tip_mass_ratio_).chi / unit, wire_field(lambda, z_root_, tip_mass_ratio_).chi / unit};
+  return {wire_field(1 + lambda, z_root_, tip_mass_ratio_), wire_field(lambda, z_root_, tip_mass_ratio_)};
 }
 
 HubMatrix CableImpedance::at(double omega) const {
@@ -32,10 +25,12 @@ HubMatrix CableImpedance::at(double omega) const {
   const double m0 = cable_.mass();
   const double p = omega * omega + spin_ * spin_;
   const double t = 2 * omega * spin_;
-  const Fields chi = fields(omega);
+  const Fields field = fields(omega);
+  const double chi_in_plane = field.in_plane.chi / unit_;
+  const double chi_out_of_plane = field.out_of_plane.chi / unit_;
   // Root motion radial, tangential, axial: −R, −V, −W on the diagonal and −jB between the first two.
-  const double v = tension_ * chi.in_plane;
-  const double w = tension_ * chi.out_of_plane;
+  const double v = tension_ * chi_in_plane;
+  const double w = tension_ * chi_out_of_plane;
   const double b = t * v / p;
   const double inertia = (omega - spin_) * (omega + spin_);
   const double r = (inertia * inertia * m0 + t * t * v / p) / p;
@@ -54,9 +49,9 @@ HubMatrix CableImpedance::at(double omega) const {
   local(3, 3) = -h * h * v;
   local(3, 4) = -j * (h * h * b);
   local(3, 5) = a * h * v - 0.5 * h * tension_;
-  local(4, 4) = -h * h * r + a * tension_ * (1 - a * chi.out_of_plane);
+  local(4, 4) = -h * h * r + a * tension_ * (1 - a * chi_out_of_plane);
   local(4, 5) = -j * (a * h * b);
-  local(5, 5) = a * tension_ * (1 - a * chi.in_plane);
+  local(5, 5) = a * tension_ * (1 - a * chi_in_plane);
   for (int row = 0; row < 6; ++row) {
     for (int column = row + 1; column < 6; ++column) local(column, row) = std::conj(local(row, column));
   }
@@ -68,8 +63,8 @@ HubMatrix CableImpedance::at(double omega) const {
 }
 
 Index CableImpedance::fixed_root_negative(double omega) const {
-  const double lambda = (omega / spin_) * (omega / spin_);
-  return wire_field(1 + lambda, z_root_, tip_mass_ratio_).zeros + wire_field(lambda, z_root_, tip_mass_ratio_).zeros;
+  const Fields field = fields(omega);
+  return field.in_plane.zeros + field.out_of_plane.zeros;
 }
 
 }  // namespace gyromode

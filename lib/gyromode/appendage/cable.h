@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gyromode/appendage/hub_matrix.h"
+#include "gyromode/appendage/legendre.h"
 
 namespace gyromode {
 
@@ -29,7 +30,9 @@ class CableImpedance {
   Index fixed_root_negative(double omega) const;
 
  private:
-  struct Fields;  // logarithmic derivatives at the root, 1/m
+  struct Fields {
+    WireField in_plane, out_of_plane;
+  };
   Fields fields(double omega) const;
 
   Cable cable_;
@@ -37,6 +40,7 @@ class CableImpedance {
   double tension_;          // at the root, N
   double reach_;            // b = radius + length
   double tip_mass_ratio_;   // μ
+  double unit_;             // bc, of z
   double z_root_;           // z_a
 };
 

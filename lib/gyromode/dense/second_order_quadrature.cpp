@@ -28,7 +28,7 @@ void solve_regular(const SecondOrderQuadrature& m, bool positive1, bool positive
   s.im *= -1;
   s.path = "quadrature: " + modes.path;
   s.store_roots(modes);
-  MassNormalGroups({first, second}).to_physical(s.flutter_shapes);
+  if (!s.flutter.empty()) MassNormalGroups({first, second}).to_physical(s.flutter_shapes);
 }
 
 Definiteness of_both(const Definiteness& d1, const Definiteness& d2) {
