@@ -1,5 +1,6 @@
 // A mass on springs against its Lagrangian: M, G, K of the nine coordinates (ζ, θ, u) by differences of the exact kinetic energy in 50 digits, with the rotation by
 // Rodrigues' formula; then condensed.
+#include "gyromode/appendage/hub_impedance.h"
 #include "gyromode/appendage/spring_mass.h"
 
 #include <gtest/gtest.h>
@@ -103,7 +104,7 @@ TEST(SpringMass, ImpedanceOfItsLagrangian) {
     for (const double omega : {0.0, 0.4, 1.7, 9.0}) {
       const double spin = 1.1;
       const HubMatrix expected = twin(m, spin, omega);
-      const HubMatrix h = SpringMassImpedance(m, spin).at(omega);
+      const HubMatrix h = hub_impedance(SpringMassAppendage(m, spin), omega, spin);
       EXPECT_LE((h - expected).norm(), 1e-12 * expected.norm()) << omega << "\n" << h << "\n\n" << expected;
       EXPECT_LE((h - h.adjoint()).norm(), 1e-15 * h.norm());
     }
@@ -112,13 +113,13 @@ TEST(SpringMass, ImpedanceOfItsLagrangian) {
 
 // On the axis, equal springs: ω = |√(k/m) ± Ω| in plane.
 TEST(SpringMass, FixedRootFrequenciesAreCounted) {
-  const SpringMassImpedance m({{0, 0, 0.5}, 2, {50, 50, 8}}, 1);
-  EXPECT_EQ(m.fixed_root_negative(1.99), 0);
-  EXPECT_EQ(m.fixed_root_negative(2.01), 1);
-  EXPECT_EQ(m.fixed_root_negative(3.99), 1);
-  EXPECT_EQ(m.fixed_root_negative(4.01), 2);
-  EXPECT_EQ(m.fixed_root_negative(5.99), 2);
-  EXPECT_EQ(m.fixed_root_negative(6.01), 3);
+  const SpringMassAppendage m({{0, 0, 0.5}, 2, {50, 50, 8}}, 1);
+  EXPECT_EQ(fixed_root_negative(m, 1.99), 0);
+  EXPECT_EQ(fixed_root_negative(m, 2.01), 1);
+  EXPECT_EQ(fixed_root_negative(m, 3.99), 1);
+  EXPECT_EQ(fixed_root_negative(m, 4.01), 2);
+  EXPECT_EQ(fixed_root_negative(m, 5.99), 2);
+  EXPECT_EQ(fixed_root_negative(m, 6.01), 3);
 }
 
 }  // namespace

@@ -1,59 +1,126 @@
 #include "gyromode/appendage/beam.h"
 
-#include "gyromode/appendage/bernoulli.h"
-
 #include <cmath>
 
 namespace gyromode {
 
-// The larger κ from the formula, the smaller from the product κ₁κ₂ = ρ²(ω² − Ω²)²/(E₁E₂).
-BeamImpedance::Pair BeamImpedance::decoupled(double omega) const {
+namespace {
+
+constexpr Index points_of_a_beam = 33;
+
+Index count_held(double own, double kappa, double length, double tip_length) { return cantilever_poles_below(kappa, length, tip_length) - (own < 0 ? 1 : 0); }
+Index count_held(const Complex&, const Complex&, double, double) { return 0; }
+
+}  // namespace
+
+MassProperties BeamAppendage::rigid() const {
+  const double l = beam_.length, h = beam_.root_height, way = beam_.way();
+  const double line = beam_.line_density, tip = beam_.tip_mass;
+  MassProperties m;
+  m.mass = beam_.mass();
+  m.first(2) = line * l * (h + 0.5 * way * l) + tip * (h + way * l);
+  m.second(2, 2) = line * l * (h * h + h * way * l + l * l / 3) + tip * (h + way * l) * (h + way * l);
+  return m;
+}
+
+// The κ of larger modulus from the formula, the other from the product κ₁κ₂ = ρ²(ω² − Ω²)²/(E₁E₂); φ from the angle of the symmetric matrix E^−½ ρN E^−½.
+template <class T>
+BeamAppendage::Cantilevers<T> BeamAppendage::decoupled(const T& omega) const {
   const double density = beam_.line_density;
-  const double e1 = beam_.bending_stiffness[0];
-  const double e2 = beam_.bending_stiffness[1];
-  const double p = omega * omega + spin_ * spin_;
-  const double t = 2 * omega * spin_;
-  const double first = density * p / e1;
-  const double second = density * p / e2;
-  const double cross = density * t / std::sqrt(e1 * e2);
-  const double angle = 0.5 * std::atan2(2 * cross, first - second);
-  const double inertia = density * (omega - spin_) * (omega + spin_);
-  Pair pair;
-  pair.kappa[0] = 0.5 * (first + second) + std::hypot(0.5 * (first - second), cross);
-  pair.kappa[1] = pair.kappa[0] > 0 ? inertia * inertia / (e1 * e2) / pair.kappa[0] : 0;
-  pair.v << std::sqrt(e1) * std::cos(angle), -std::sqrt(e1) * std::sin(angle), std::sqrt(e2) * std::sin(angle), std::sqrt(e2) * std::cos(angle);
-  return pair;
+  const double e1 = beam_.bending_stiffness[0], e2 = beam_.bending_stiffness[1];
+  const Turning<T> f(omega, spin_, 0);
+  const T first = density / e1 * f.p, second = density / e2 * f.p, cross = density / std::sqrt(e1 * e2) * f.t;
+  const T half = 0.5 * (first - second), mean = 0.5 * (first + second);
+  T root = std::sqrt(half * half + cross * cross);
+  if (std::abs(mean - root) > std::abs(mean + root)) root = -root;
+  const T inertia = density * (omega - spin_) * (omega + spin_);
+  Cantilevers<T> c;
+  c.kappa[0] = mean + root;
+  c.kappa[1] = c.kappa[0] == T(0) ? T(0) : inertia * inertia / (e1 * e2) / c.kappa[0];
+  const bool by_first = std::abs(root + half) >= std::abs(root - half);
+  T x = by_first ? T(root + half) : cross;
+  T y = by_first ? cross : T(root - half);
+  if (x == T(0) && y == T(0)) x = 1;
+  const T length = std::sqrt(x * x + y * y);
+  x /= length;
+  y /= length;
+  c.phi[0][0] = x / std::sqrt(e1);
+  c.phi[0][1] = y / std::sqrt(e2);
+  c.phi[1][0] = -y / std::sqrt(e1);
+  c.phi[1][1] = x / std::sqrt(e2);
+  return c;
 }
 
-HubMatrix BeamImpedance::at(double omega) const {
-  const Pair pair = decoupled(omega);
-  Eigen::Matrix4d stiffness = Eigen::Matrix4d::Zero();  // on (X, X′, η, η′) at the root
-  for (int k = 0; k < 2; ++k) {
-    const Eigen::Matrix2d d = cantilever_stiffness(pair.kappa[k], beam_.length, beam_.tip_mass / beam_.line_density);
-    for (Index i = 0; i < 2; ++i) {
-      for (Index n = 0; n < 2; ++n) stiffness.block<2, 2>(2 * i, 2 * n) += pair.v(i, k) * pair.v(n, k) * d;
-    }
+// Rows of the loads 1 and s of a cantilever: ρφᵀN(ζ + z(θ2, −θ1)), z = h ± s, with Nζ = Bξ and η = jY.
+template <class T>
+BeamAppendage::Rows BeamAppendage::loads(const T& omega, const T (&phi)[2], Complex j) const {
+  const Turning<T> f(omega, spin_, j);
+  const double density = beam_.line_density;
+  Rows r = Rows::Zero();
+  const Complex x = density * phi[0];
+  const Complex y = density * j * phi[1];
+  r(0, 0) = x * f.omega - y * j * f.spin;
+  r(0, 1) = x * j * f.spin + y * f.omega;
+  const Complex tilt1 = -x * j * f.t - y * f.p;  // N(θ2, −θ1)
+  const Complex tilt2 = x * f.p - y * j * f.t;
+  r(0, 3) = beam_.root_height * tilt1;
+  r(0, 4) = beam_.root_height * tilt2;
+  r(1, 3) = beam_.way() * tilt1;
+  r(1, 4) = beam_.way() * tilt2;
+  return r;
+}
+
+template <class T>
+void BeamAppendage::add_to(const T& omega, Lifted& to, Index first) const {
+  const Cantilevers<T> c = decoupled(omega);
+  for (Index k = 0; k < 2; ++k) {
+    const Answer<T> answer = cantilever_answer(c.kappa[k], beam_.length, tip_length_);
+    const Pole<T> pole(answer);
+    const Kept<T> keep = kept(pole, answer.phi);
+    const Rows right = loads(omega, c.phi[k], Complex(0, 1)), left = loads(omega, c.phi[k], Complex(0, -1));
+    Eigen::Matrix<Complex, 2, 2> regular;
+    regular << pole.regular11, pole.regular12, pole.regular12, pole.regular22;
+    const Index at = first + k;
+    to.matrix.topLeftCorner<body_coordinates, body_coordinates>() -= left.transpose() * regular * right;
+    to.matrix(at, at) = keep.own;
+    to.matrix.row(at).head<body_coordinates>() = keep.right * (pole.e1 * right.row(0) + pole.e2 * right.row(1));
+    to.matrix.col(at).head<body_coordinates>() = keep.left * (pole.e1 * left.row(0) + pole.e2 * left.row(1)).transpose();
+    to.held[static_cast<std::size_t>(at)] = count_held(keep.own, c.kappa[k], beam_.length, tip_length_);
   }
-  // X = ζ1 + hθ2, Y = ζ2 − hθ1, slopes along the boom ±θ2 and ∓θ1; η = jY.
-  const Complex j(0, 1);
-  const double up = beam_.upward ? 1 : -1;
-  const double h = beam_.root_height;
-  Eigen::Matrix<Complex, 4, 6> root = Eigen::Matrix<Complex, 4, 6>::Zero();
-  root(0, 0) = 1;
-  root(0, 4) = h;
-  root(1, 4) = up;
-  root(2, 1) = j;
-  root(2, 3) = -j * h;
-  root(3, 3) = -j * up;
-  HubMatrix hub = root.adjoint() * stiffness.cast<Complex>() * root;
-  hub(2, 2) = -omega * omega * beam_.mass();
-  return hub;
 }
 
-Index BeamImpedance::fixed_root_negative(double omega) const {
-  const Pair pair = decoupled(omega);
-  const double tip = beam_.tip_mass / beam_.line_density;
-  return cantilever_poles_below(pair.kappa[0], beam_.length, tip) + cantilever_poles_below(pair.kappa[1], beam_.length, tip);
+std::vector<Outline> BeamAppendage::outlines() const {
+  Outline o{beam_.upward ? "beam, upward" : "beam, downward", {}};
+  for (Index i = 0; i < points_of_a_beam; ++i) {
+    o.points.emplace_back(0, 0, beam_.root_height + beam_.way() * beam_.length * static_cast<double>(i) / (points_of_a_beam - 1));
+  }
+  return {o};
+}
+
+// The load in direction e over φ is −√s x/a, finite at a pole; there the answer itself is taken beside it.
+std::vector<ComplexMatrix> BeamAppendage::displaced(double omega, const ComplexVector& body, const ComplexVector& own) const {
+  std::vector<double> stations;
+  for (Index i = 0; i < points_of_a_beam; ++i) stations.push_back(beam_.length * static_cast<double>(i) / (points_of_a_beam - 1));
+  const Cantilevers<double> c = decoupled(omega);
+  ComplexMatrix d = ComplexMatrix::Zero(3, points_of_a_beam);
+  for (Index k = 0; k < 2; ++k) {
+    double kappa = c.kappa[k];
+    Answer<double> answer = cantilever_answer(kappa, beam_.length, tip_length_);
+    const Pole<double> pole(answer);
+    const double border = kept(pole, answer.phi).left;
+    constexpr double beside = 1e-7;
+    if (std::abs(answer.phi) < beside) {
+      kappa *= 1 + 100 * beside;
+      answer = cantilever_answer(kappa, beam_.length, tip_length_);
+    }
+    const Eigen::Vector2cd load = loads(omega, c.phi[k], Complex(0, 1)) * body;
+    const Vector along = answer.phi * cantilever_shape(kappa, beam_.length, tip_length_, pole.e1, pole.e2, stations);
+    const Vector across = cantilever_shape(kappa, beam_.length, tip_length_, -pole.e2, pole.e1, stations);
+    const ComplexVector psi = (-border * own(k) / pole.a) * along.cast<Complex>() + (-pole.e2 * load(0) + pole.e1 * load(1)) * across.cast<Complex>();
+    d.row(0) += c.phi[k][0] * psi.transpose();
+    d.row(1) += c.phi[k][1] * Complex(0, -1) * psi.transpose();  // Y = −jη
+  }
+  return {d};
 }
 
 }  // namespace gyromode

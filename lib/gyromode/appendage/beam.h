@@ -1,42 +1,56 @@
 #pragma once
 
-#include "gyromode/appendage/hub_matrix.h"
+#include "gyromode/appendage/appendage.h"
+#include "gyromode/appendage/bernoulli.h"
 
 namespace gyromode {
 
-/// A Euler–Bernoulli boom along axis 3, clamped at its root, with a point mass at its tip. It carries no axial load, and its inertia about its own axis is left out.
+/// An Euler–Bernoulli boom along axis 3, clamped at its root, with a point mass at its tip. It carries no axial load, and its inertia about its own axis is left out.
 struct Beam {
-  double root_height = 0;        ///< m, above O
-  bool upward = true;            ///< direction of axis 3, or against it
-  double length = 0;             ///< m, > 0
-  double line_density = 0;       ///< kg/m, > 0
+  double root_height = 0;                ///< m, above the origin
+  bool upward = true;                    ///< direction of axis 3, or against it
+  double length = 0;                     ///< m, > 0
+  double line_density = 0;               ///< kg/m, > 0
   double bending_stiffness[2] = {0, 0};  ///< N m², for motion along axes 1 and 2, > 0
-  double tip_mass = 0;           ///< kg, ≥ 0
+  double tip_mass = 0;                   ///< kg, ≥ 0
 
   double mass() const { return line_density * length + tip_mass; }
+  double way() const { return upward ? 1 : -1; }
 };
 
-/// What a boom does to the body at a given spin (rad/s), exactly, at any frequency.
-class BeamImpedance {
+/// With η = jY the transverse motion (X, η) relative to the body is real and falls apart into two cantilevers: ρN φ = κEφ, N = [p t; t p], p = ω² + Ω², t = 2ωΩ, E the bending
+/// stiffnesses (spacecraft.md §4). Each feels the loads ρφᵀN of the body's translation and rotation, and keeps one coordinate.
+///
+/// Where the first cantilever frequency is below the spin, the boom is soft: its fixed-root count then begins with what the spin makes negative.
+class BeamAppendage : public Appendage {
  public:
-  BeamImpedance(const Beam& beam, double spin) : beam_(beam), spin_(spin) {}
+  BeamAppendage(const Beam& beam, double spin) : beam_(beam), spin_(spin), tip_length_(beam.tip_mass / beam.line_density) {}
 
-  /// H_beam(ω), Hermitian. With η = jY the transverse motion is real and falls apart into two cantilevers: ρN φ = κ E φ, N = [[p, t], [t, p]], p = ω² + Ω²,
-  /// t = 2ωΩ, E the bending stiffnesses.
-  HubMatrix at(double omega) const;
-  /// n₋ of the impedance of the boom with its root held, of both cantilevers at their κ(ω): where its first frequency is above the spin, how many of its frequencies in
-  /// turning axes are below ω > 0. A softer boom begins with what its spin makes negative.
-  Index fixed_root_negative(double omega) const;
+  Index coordinates() const override { return 2; }
+  MassProperties rigid() const override;
+  void add(double omega, Lifted& to, Index first) const override { add_to(omega, to, first); }
+  void add(Complex omega, Lifted& to, Index first) const override { add_to(omega, to, first); }
+  std::vector<Outline> outlines() const override;
+  std::vector<ComplexMatrix> displaced(double omega, const ComplexVector& body, const ComplexVector& own) const override;
 
  private:
-  struct Pair {
-    double kappa[2];
-    Eigen::Matrix2d v;  // columns Eφ_k, φ_kᵀEφ_k = 1
+  template <class T>
+  struct Cantilevers {
+    T kappa[2];
+    T phi[2][2];  // φ_k of (X, η), φᵀEφ = 1
   };
-  Pair decoupled(double omega) const;
+  using Rows = Eigen::Matrix<Complex, 2, body_coordinates>;
+
+  template <class T>
+  Cantilevers<T> decoupled(const T& omega) const;
+  template <class T>
+  Rows loads(const T& omega, const T (&phi)[2], Complex j) const;
+  template <class T>
+  void add_to(const T& omega, Lifted& to, Index first) const;
 
   Beam beam_;
   double spin_;
+  double tip_length_;  // ε
 };
 
 }  // namespace gyromode

@@ -1,70 +1,150 @@
 #include "gyromode/appendage/cable.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <limits>
 
 namespace gyromode {
 
-double Cable::first_moment() const {
-  const double reach = radius + length;
-  return tip_mass * reach + 0.5 * line_density * length * (reach + radius);
+double Cable::first_moment() const { return tip_mass * reach() + 0.5 * line_density * length * (reach() + radius); }
+
+double Cable::second_moment() const {
+  const double b = reach();
+  return tip_mass * b * b + line_density * length * (b * b + b * radius + radius * radius) / 3;
 }
 
-CableImpedance::CableImpedance(const Cable& cable, double spin)
-    : cable_(cable), spin_(spin), tension_(spin * spin * cable.first_moment()), reach_(cable.radius + cable.length),
-      tip_mass_ratio_(cable.tip_mass / (cable.line_density * reach_)), unit_(reach_ * std::sqrt(1 + 2 * tip_mass_ratio_)), z_root_(cable.radius / unit_) {}
-
-CableImpedance::Fields CableImpedance::fields(double omega) const {
-  const double lambda = (omega / spin_) * (omega / spin_);
-  return {wire_field(1 + lambda, z_root_, tip_mass_ratio_), wire_field(lambda, z_root_, tip_mass_ratio_)};
-}
-
-HubMatrix CableImpedance::at(double omega) const {
-  const Complex j(0, 1);
-  const double a = cable_.radius;
-  const double h = cable_.height;
-  const double m0 = cable_.mass();
-  const double p = omega * omega + spin_ * spin_;
-  const double t = 2 * omega * spin_;
-  const Fields field = fields(omega);
-  const double chi_in_plane = field.in_plane.chi / unit_;
-  const double chi_out_of_plane = field.out_of_plane.chi / unit_;
-  // Root motion radial, tangential, axial: −R, −V, −W on the diagonal and −jB between the first two.
-  const double v = tension_ * chi_in_plane;
-  const double w = tension_ * chi_out_of_plane;
-  const double b = t * v / p;
-  const double inertia = (omega - spin_) * (omega + spin_);
-  const double r = (inertia * inertia * m0 + t * t * v / p) / p;
-  HubMatrix local = HubMatrix::Zero();  // axes (e_r, e_t, e_3) of the cable, upper triangle
-  local(0, 0) = -r;
-  local(0, 1) = -j * b;
-  local(0, 3) = j * (h * b);
-  local(0, 4) = -h * r;
-  local(0, 5) = -j * (a * b);
-  local(1, 1) = -v;
-  local(1, 3) = h * v;
-  local(1, 4) = j * (h * b);
-  local(1, 5) = -a * v;
-  local(2, 2) = -w;
-  local(2, 4) = a * w;
-  local(3, 3) = -h * h * v;
-  local(3, 4) = -j * (h * h * b);
-  local(3, 5) = a * h * v - 0.5 * h * tension_;
-  local(4, 4) = -h * h * r + a * tension_ * (1 - a * chi_out_of_plane);
-  local(4, 5) = -j * (a * h * b);
-  local(5, 5) = a * tension_ * (1 - a * chi_in_plane);
-  for (int row = 0; row < 6; ++row) {
-    for (int column = row + 1; column < 6; ++column) local(column, row) = std::conj(local(row, column));
+// Components that are rounding of right angles are zero.
+Eigen::Vector3d Cable::direction() const {
+  Eigen::Vector3d e(std::cos(azimuth), std::sin(azimuth), 0);
+  for (double& x : e) {
+    if (std::abs(x) <= 4 * std::numeric_limits<double>::epsilon()) x = 0;
   }
-  Eigen::Matrix3d turn;
-  turn << std::cos(cable_.azimuth), std::sin(cable_.azimuth), 0, -std::sin(cable_.azimuth), std::cos(cable_.azimuth), 0, 0, 0, 1;
-  Eigen::Matrix<double, 6, 6> q = Eigen::Matrix<double, 6, 6>::Zero();
-  q.topLeftCorner<3, 3>() = q.bottomRightCorner<3, 3>() = turn;
-  return q.transpose() * local * q;
+  return e;
 }
 
-Index CableImpedance::fixed_root_negative(double omega) const {
-  const Fields field = fields(omega);
-  return field.in_plane.zeros + field.out_of_plane.zeros;
+bool Cable::same_field(const Cable& o) const {
+  return radius == o.radius && length == o.length && line_density == o.line_density && tip_mass == o.tip_mass;
+}
+
+CableGroup::CableGroup(std::vector<Cable> cables, double spin) : cables_(std::move(cables)), spin_(spin), one_(cables_.front()) {
+  tip_mass_ratio_ = one_.tip_mass / (one_.line_density * one_.reach());
+  unit_ = one_.reach() * std::sqrt(1 + 2 * tip_mass_ratio_);
+  z_root_ = one_.radius / unit_;
+  Matrix in_plane(count(), 5), out_of_plane(count(), 3);
+  for (Index i = 0; i < count(); ++i) {
+    const Cable& c = cables_[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d e = c.direction();
+    in_plane.row(i) << -e(1), e(0), -c.height * e(1), c.height * e(0), 1;
+    out_of_plane.row(i) << -e(1), e(0), 1;
+  }
+  in_plane_ = patterns(in_plane);
+  out_of_plane_ = patterns(out_of_plane);
+}
+
+MassProperties CableGroup::rigid() const {
+  MassProperties all;
+  for (const Cable& c : cables_) {
+    const Eigen::Vector3d e = c.direction();
+    const Eigen::Vector3d root(0, 0, c.height);
+    MassProperties wire;
+    wire.mass = c.mass();
+    wire.first = c.first_moment() * e + c.mass() * root;
+    wire.second = c.second_moment() * e * e.transpose() + c.first_moment() * (e * root.transpose() + root * e.transpose()) + c.mass() * root * root.transpose();
+    all += wire;
+  }
+  return all;
+}
+
+// With I0 = ∫Φ dm, I1 = ∫rΦ dm and the factor of Φ left open:
+//   in plane, loads (U, φ3):          Q = [I0/p, ωI1/p; ·, aI1],           det Q = Φ I1 S Ω²/p²,   lump = [m0/p, ωS/p; ·, I]
+//   out of plane, loads (ξ3, θ_t):    Q = [I0, −ωaI0; ·, (ω² − Ω²)aI1],    det Q = −Φ a I0 S Ω²,   lump = [m0, −ωS; ·, (ω² − Ω²)I]
+template <class T>
+CableGroup::Answers<T> CableGroup::answers(const T& omega) const {
+  const T ratio = omega / spin_;
+  const T lambda = ratio * ratio;
+  Answers<T> found{{}, {}, wire_fields(std::array<T, 2>{1.0 + lambda, lambda}, z_root_, tip_mass_ratio_)};
+  const double line = one_.line_density * unit_;
+  const double a = one_.radius;
+  const double m0 = one_.mass();
+  const double s = one_.first_moment();
+  const double inertia = one_.second_moment();
+  const double square = spin_ * spin_;
+  const T p = omega * omega + square;
+  const T difference = (omega - spin_) * (omega + spin_);
+  const T v0 = line * found.field[0].force, v1 = line * unit_ * found.field[0].moment;
+  const T w0 = line * found.field[1].force, w1 = line * unit_ * found.field[1].moment;
+  found.in_plane = {found.field[0].value, v0 / p, omega * v1 / p, a * v1, v1 * s * square / (p * p), m0 / p, omega * s / p, T(inertia)};
+  found.out_of_plane = {found.field[1].value, w0, -omega * a * w0, difference * a * w1, -a * w0 * s * square, T(m0), -omega * s, difference * inertia};
+  return found;
+}
+
+template CableGroup::Answers<double> CableGroup::answers(const double& omega) const;
+
+namespace {
+
+// Rows that the features of U and φ3 multiply: v = Bξ, w = N(θ2, −θ1), φ3; and those of θ_t and ξ3: θ1, θ2, ξ3.
+template <class T>
+Eigen::Matrix<Complex, 5, body_coordinates> in_plane_rows(const Turning<T>& f) {
+  Eigen::Matrix<Complex, 5, body_coordinates> r = Eigen::Matrix<Complex, 5, body_coordinates>::Zero();
+  r(0, 0) = r(1, 1) = f.omega;
+  r(0, 1) = f.j * f.spin;
+  r(1, 0) = -f.j * f.spin;
+  r(2, 4) = f.p;
+  r(2, 3) = -f.j * f.t;
+  r(3, 4) = -f.j * f.t;
+  r(3, 3) = -f.p;
+  r(4, 5) = 1;
+  return r;
+}
+
+Eigen::Matrix<Complex, 3, body_coordinates> out_of_plane_rows() {
+  Eigen::Matrix<Complex, 3, body_coordinates> r = Eigen::Matrix<Complex, 3, body_coordinates>::Zero();
+  r(0, 3) = r(1, 4) = r(2, 2) = 1;
+  return r;
+}
+
+Index count_held(double own, Index zeros) { return zeros - (own < 0 ? 1 : 0); }
+Index count_held(const Complex&, Index) { return 0; }
+
+// The share of one field in all its patterns. `first_load`: features of the first load come first; else last.
+template <class T, int features>
+void add_field(const Answer<T>& answer, Index zeros, const Patterns& patterns, const Eigen::Matrix<double, 2, features>& loads,
+               const Eigen::Matrix<Complex, features, body_coordinates>& right, const Eigen::Matrix<Complex, features, body_coordinates>& left, Lifted& to, Index first) {
+  const Pole<T> pole(answer);
+  const Kept<T> keep = kept(pole, answer.phi);
+  // − Wᵀ regular W summed over the cables: feature by feature with the Gram matrix.
+  Eigen::Matrix<Complex, features, features> middle;
+  for (int i = 0; i < features; ++i) {
+    for (int k = 0; k < features; ++k) {
+      const T regular = loads(0, i) != 0 ? (loads(0, k) != 0 ? pole.regular11 : pole.regular12) : (loads(0, k) != 0 ? pole.regular12 : pole.regular22);
+      middle(i, k) = -regular * patterns.gram(i, k);
+    }
+  }
+  to.matrix.topLeftCorner<body_coordinates, body_coordinates>() += left.transpose() * middle * right;
+  for (Index q = 0; q < patterns.vectors.cols(); ++q) {
+    const Index at = first + q;
+    to.matrix(at, at) = keep.own;
+    to.held[static_cast<std::size_t>(at)] = count_held(keep.own, zeros);
+    if (q >= patterns.coupled) continue;
+    Eigen::Matrix<Complex, 1, features> weight;
+    for (int i = 0; i < features; ++i) weight(i) = (loads(0, i) != 0 ? pole.e1 : pole.e2) * patterns.response(q, i);
+    to.matrix.row(at).head<body_coordinates>() = keep.right * weight * right;
+    to.matrix.col(at).head<body_coordinates>() = keep.left * (weight * left).transpose();
+  }
+}
+
+const Eigen::Matrix<double, 2, 5> in_plane_loads = (Eigen::Matrix<double, 2, 5>() << 1, 1, 1, 1, 0, 0, 0, 0, 0, 1).finished();
+const Eigen::Matrix<double, 2, 3> out_of_plane_loads = (Eigen::Matrix<double, 2, 3>() << 0, 0, 1, 1, 1, 0).finished();
+
+}  // namespace
+
+template <class T>
+void CableGroup::add_to(const T& omega, Lifted& to, Index first) const {
+  const Answers<T> a = answers(omega);
+  const Turning<T> plus(omega, spin_, Complex(0, 1)), minus(omega, spin_, Complex(0, -1));
+  add_field<T, 5>(a.in_plane, a.field[0].zeros, in_plane_, in_plane_loads, in_plane_rows(plus), in_plane_rows(minus), to, first);
+  add_field<T, 3>(a.out_of_plane, a.field[1].zeros, out_of_plane_, out_of_plane_loads, out_of_plane_rows(), out_of_plane_rows(), to, first + count());
 }
 
 }  // namespace gyromode

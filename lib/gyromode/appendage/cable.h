@@ -1,47 +1,70 @@
 #pragma once
 
-#include "gyromode/appendage/hub_matrix.h"
-#include "gyromode/appendage/legendre.h"
+#include "gyromode/appendage/appendage.h"
+#include "gyromode/appendage/patterns.h"
+#include "gyromode/appendage/pole.h"
+#include "gyromode/appendage/wire_field.h"
 
 namespace gyromode {
 
 /// A perfectly flexible, inextensible wire boom, hinged at its root, radial and taut by the spin alone.
 struct Cable {
   double azimuth = 0;       ///< rad, from axis 1
-  double radius = 0;        ///< m, of the root from axis 3, > 0
-  double height = 0;        ///< m, of the root above O, along axis 3
+  double radius = 0;        ///< m, of the root from axis 3, ≥ 0
+  double height = 0;        ///< m, of the root above the origin, along axis 3
   double length = 0;        ///< m, > 0
   double line_density = 0;  ///< kg/m, > 0
   double tip_mass = 0;      ///< kg, ≥ 0
 
+  double reach() const { return radius + length; }
   double mass() const { return line_density * length + tip_mass; }
-  /// ∫ r dm of the radial wire about axis 3, kg m. The tension at the root is spin² times it.
+  /// S = ∫ r dm, kg m. The tension at the root is spin² S.
   double first_moment() const;
+  /// ∫ r² dm, kg m².
+  double second_moment() const;
+  Eigen::Vector3d direction() const;
+  /// Whether both have the same field: radius, length, density and tip mass.
+  bool same_field(const Cable& other) const;
 };
 
-/// What a cable does to the body at a given spin (rad/s), exactly: the forces of its field, without a discretisation.
-class CableImpedance {
+/// Equal cables, at any azimuths and heights: one field in plane and one out of plane serves all, and they move in Patterns.
+///
+/// A wire at radius r, displaced in plane by u and out of plane by w relative to the body, feels the loads −ρ(U + rω φ3) and −ρ(ω ξ3 + r(Ω² − ω²)θ_t), with U = e_tᵀ(Bξ + hN(θ2, −θ1)) and
+/// θ_t the rotation about e_t (cables.md §2 in coordinates relative to the body). It answers with Legendre's functions of λ = 1 + ω²/Ω² and ω²/Ω².
+class CableGroup : public Appendage {
  public:
-  CableImpedance(const Cable& cable, double spin);
+  /// `cables` have the same_field().
+  CableGroup(std::vector<Cable> cables, double spin);
 
-  /// H_cable(ω): − force and moment on the body for unit root motions e^{jωt}, with the static second-order terms of the root tension. Hermitian.
-  HubMatrix at(double omega) const;
-  /// n₋ of the impedance of the cable with its root held: how many fixed-root frequencies, in plane and out of plane, are below ω > 0.
-  Index fixed_root_negative(double omega) const;
+  Index coordinates() const override { return 2 * count(); }
+  MassProperties rigid() const override;
+  void add(double omega, Lifted& to, Index first) const override { add_to(omega, to, first); }
+  void add(Complex omega, Lifted& to, Index first) const override { add_to(omega, to, first); }
+  std::vector<Outline> outlines() const override;
+  std::vector<ComplexMatrix> displaced(double omega, const ComplexVector& body, const ComplexVector& own) const override;
 
  private:
-  struct Fields {
-    WireField in_plane, out_of_plane;
+  template <class T>
+  struct Answers {
+    Answer<T> in_plane, out_of_plane;
+    std::array<WireField<T>, 2> field;
   };
-  Fields fields(double omega) const;
 
-  Cable cable_;
+  Index count() const { return static_cast<Index>(cables_.size()); }
+  std::vector<double> stations() const;  // z, from the tip
+  template <class T>
+  Answers<T> answers(const T& omega) const;
+  template <class T>
+  void add_to(const T& omega, Lifted& to, Index first) const;
+
+  std::vector<Cable> cables_;
   double spin_;
-  double tension_;          // at the root, N
-  double reach_;            // b = radius + length
+  Cable one_;               // any of them, for the field
   double tip_mass_ratio_;   // μ
   double unit_;             // bc, of z
   double z_root_;           // z_a
+  Patterns in_plane_;       // features (−sin α, cos α, −h sin α, h cos α, 1) of U and φ3
+  Patterns out_of_plane_;   // features (−sin α, cos α, 1) of θ_t and ξ3
 };
 
 }  // namespace gyromode

@@ -1,72 +1,67 @@
 #include "gyromode/appendage/spring_mass.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
 #include <cmath>
 
 namespace gyromode {
 
 namespace {
 
-Eigen::Matrix3d cross(const Eigen::Vector3d& a) {
-  Eigen::Matrix3d m;
-  m << 0, -a(2), a(1), a(2), 0, -a(0), -a(1), a(0), 0;
-  return m;
+// −N₃(ζ + θ × p) + Ω² θ × Pp on (ξ, θ1, θ2, φ3); the two terms of φ3 together are divided by ω.
+template <class T>
+Eigen::Matrix<Complex, 3, body_coordinates> rows_of(const Turning<T>& f, const Eigen::Vector3d& at) {
+  const double x = at(0), y = at(1), z = at(2);
+  const double square = f.spin * f.spin;
+  Eigen::Matrix<Complex, 3, body_coordinates> r = Eigen::Matrix<Complex, 3, body_coordinates>::Zero();
+  r(0, 0) = r(1, 1) = r(2, 2) = -f.omega;
+  r(0, 1) = -f.j * f.spin;
+  r(1, 0) = f.j * f.spin;
+  r(0, 3) = f.j * f.t * z;   // θ × p = (θ2 z, −θ1 z, θ1 y − θ2 x)
+  r(0, 4) = -f.p * z;
+  r(1, 3) = f.p * z;
+  r(1, 4) = f.j * f.t * z;
+  r(2, 3) = (square - f.omega * f.omega) * y;  // θ × Pp = (0, 0, θ1 y − θ2 x)
+  r(2, 4) = (f.omega * f.omega - square) * x;
+  r(0, 5) = f.omega * y - 2.0 * f.j * f.spin * x;  // θ × p = θ × Pp = θ3 (−y, x, 0)
+  r(1, 5) = -f.omega * x - 2.0 * f.j * f.spin * y;
+  return r;
+}
+
+template <class T>
+Eigen::Matrix3cd inertia(const Turning<T>& f) {
+  Eigen::Matrix3cd n = Eigen::Matrix3cd::Zero();
+  n(0, 0) = n(1, 1) = -f.p;
+  n(0, 1) = -f.j * f.t;
+  n(1, 0) = f.j * f.t;
+  n(2, 2) = -f.omega * f.omega;
+  return n;
 }
 
 }  // namespace
 
-std::vector<int> SpringMassImpedance::sprung() const {
-  std::vector<int> directions;
-  for (int i = 0; i < 3; ++i) {
-    if (std::isfinite(mass_.stiffness(i))) directions.push_back(i);
+SpringMassAppendage::SpringMassAppendage(const SpringMass& mass, double spin) : mass_(mass), spin_(spin) {
+  for (Index i = 0; i < 3; ++i) {
+    if (std::isfinite(mass_.stiffness(i))) sprung_.push_back(i);
   }
-  return directions;
 }
 
-Eigen::Matrix3cd SpringMassImpedance::inertia(double omega) const {
-  const Complex jt(0, 2 * omega * spin_);
-  const double p = omega * omega + spin_ * spin_;
-  Matrix3c n = Matrix3c::Zero();
-  n(0, 0) = n(1, 1) = p;
-  n(0, 1) = jt;
-  n(1, 0) = -jt;
-  n(2, 2) = omega * omega;
-  return -mass_.mass * n;
+template <class T>
+void SpringMassAppendage::add_to(const T& omega, Lifted& to, Index first) const {
+  const Turning<T> plus(omega, spin_, Complex(0, 1)), minus(omega, spin_, Complex(0, -1));
+  const auto right = rows_of(plus, mass_.position), left = rows_of(minus, mass_.position);
+  const Eigen::Matrix3cd n = inertia(plus);
+  for (Index a = 0; a < coordinates(); ++a) {
+    const Index i = sprung_[static_cast<std::size_t>(a)];
+    for (Index b = 0; b < coordinates(); ++b) to.matrix(first + a, first + b) = mass_.mass * n(i, sprung_[static_cast<std::size_t>(b)]);
+    to.matrix(first + a, first + a) += mass_.stiffness(i);
+    to.matrix.row(first + a).head<body_coordinates>() = mass_.mass * right.row(i);
+    to.matrix.col(first + a).head<body_coordinates>() = mass_.mass * left.row(i).transpose();
+  }
 }
 
-Eigen::MatrixXcd SpringMassImpedance::held(double omega) const {
-  const auto free = sprung();
-  Matrix3c h = inertia(omega);
-  for (const int i : free) h(i, i) += mass_.stiffness(i);
-  return h(free, free);
-}
-
-HubMatrix SpringMassImpedance::at(double omega) const {
-  const Eigen::Vector3d& p = mass_.position;
-  const Eigen::Vector3d in_plane(p(0), p(1), 0);
-  const double force = mass_.mass * spin_ * spin_;
-  Eigen::Matrix<double, 3, 6> d;  // displacement of the place p by the body
-  d << Eigen::Matrix3d::Identity(), -cross(p);
-  const Matrix3c z = inertia(omega);
-  HubMatrix hub = d.transpose() * z * d;
-  hub.bottomRightCorner<3, 3>() -=
-      force * (0.5 * (in_plane * p.transpose() + p * in_plane.transpose()) - in_plane.dot(p) * Eigen::Matrix3d::Identity()).cast<Complex>();
-  const auto free = sprung();
-  if (free.empty()) return hub;
-  Eigen::Matrix<Complex, 6, 3> coupling = d.transpose() * z;
-  coupling.bottomRows<3>() += force * cross(in_plane).cast<Complex>();
-  const Eigen::MatrixXcd c = coupling(Eigen::all, free);
-  const HubMatrix condensed = c * held(omega).inverse() * c.adjoint();
-  hub -= 0.5 * (condensed + condensed.adjoint());
-  return hub;
-}
-
-Index SpringMassImpedance::fixed_root_negative(double omega) const {
-  const Eigen::MatrixXcd h = held(omega);
-  if (h.size() == 0) return 0;
-  return (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(h, Eigen::EigenvaluesOnly).eigenvalues().array() < 0).count();
+std::vector<ComplexMatrix> SpringMassAppendage::displaced(double, const ComplexVector&, const ComplexVector& own) const {
+  ComplexMatrix u = ComplexMatrix::Zero(3, 1);
+  for (Index a = 0; a < coordinates(); ++a) u(sprung_[static_cast<std::size_t>(a)], 0) = own(a);
+  return {u};
 }
 
 }  // namespace gyromode

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+namespace gyromode {
+
+/// (ξ1, ξ2, ξ3, θ1, θ2, φ3): θ1, θ2 the small rotations of the body; jξ the inertial velocity of the reference point in turning axes, ξ = Bζ with B = [ω, jΩ; −jΩ, ω], ξ3 = ωζ3;
+/// jφ3 = jωθ3 the rate about the spin axis. B² = N = [p, jt; −jt, p], the operator of inertia forces: translation and spin phase, which no force holds, have the constant
+/// entries −m and −J33 in these coordinates, and nothing is lost at ω = Ω or ω → 0.
+inline constexpr Index body_coordinates = 6;
+
+/// B and N = B² on in-plane vectors, and the row that takes (θ1, θ2) to N(θ2, −θ1). The formal j is +j for H itself and −j for the left side of a border, so that everything is
+/// analytic in a complex ω.
+template <class T>
+struct Turning {
+  T omega, p, t;  // p = ω² + Ω², t = 2ωΩ
+  double spin;
+  Complex j;
+
+  Turning(const T& w, double spin_, Complex j_) : omega(w), p(w * w + spin_ * spin_), t(2.0 * w * spin_), spin(spin_), j(j_) {}
+};
+
+}  // namespace gyromode

@@ -1,0 +1,214 @@
+#include "gyromode/appendage/wire_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gyromode {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr int lanes = 2;
+constexpr int most_terms = 400;
+
+template <class T>
+using Pair = std::array<T, lanes>;
+
+// 1/(k + 1) … for the recurrences, so that nothing is divided in the loops.
+struct Reciprocals {
+  std::array<double, most_terms + 4> of{};
+  constexpr Reciprocals() {
+    for (std::size_t k = 0; k < of.size(); ++k) of[k] = 1 / (static_cast<double>(k) + 1);
+  }
+  double operator()(int n) const { return of[static_cast<std::size_t>(n - 1)]; }  // 1/n
+};
+constexpr Reciprocals inverse;
+
+// Φ and Φ′ at z = 1 − distance with the integrals from there to the tip. A small tip mass starts at 1 − μ: the distance keeps its digits.
+template <class T>
+struct March {
+  double distance = 0;
+  Pair<T> value{}, slope{}, force{}, moment{}, tip{1, 1};
+};
+
+// P_ν = Σ a_k t^k, t = (1 − z)/2, a_{k+1}/a_k = (k(k + 1) − 2λ)/(k + 1)²: the first step from z = 1, where the Taylor series has no radius.
+template <class T>
+March<T> from_regular_end(const Pair<T>& two_lambda, double largest, double z_root) {
+  const double t = std::min({0.25, 1 / std::max(largest, 1e-300), 0.5 * (1 - z_root)});
+  March<T> m;
+  m.distance = 2 * t;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    T term = 1;
+    T slope = 0;  // by t
+    m.value[i] = 1;
+    m.force[i] = 2 * t;
+    m.moment[i] = 2 * t - 2 * t * t;
+    for (int k = 0; k < most_terms; ++k) {
+      const double n = k;
+      const T ratio = (n * (n + 1) - two_lambda[i]) / ((n + 1) * (n + 1));
+      slope += term * ratio * (n + 1);
+      term *= ratio * t;
+      m.value[i] += term;
+      m.force[i] += 2 * t * term / (n + 2);
+      m.moment[i] += 2 * t * term / (n + 2) - 4 * t * t * term / (n + 3);
+      if (std::abs(term) * (n + 2) <= 0.25 * epsilon * std::abs(m.value[i])) break;
+    }
+    m.slope[i] = -0.5 * slope;
+  }
+  return m;
+}
+
+template <class T>
+March<T> from_tip_mass(const Pair<T>& two_lambda, double ratio) {
+  const double c = std::sqrt(1 + 2 * ratio);
+  March<T> m;
+  m.distance = 2 * ratio / (c * (c + 1));
+  for (std::size_t i = 0; i < lanes; ++i) {
+    m.value[i] = 1;
+    m.slope[i] = 0.5 * c * two_lambda[i];
+    m.force[i] = ratio / c;
+    m.moment[i] = ratio / (c * c);
+  }
+  return m;
+}
+
+// By −step along z; the Taylor series about z, c_k: (1 − z²)(k + 2)(k + 1)c_{k+2} = 2z(k + 1)²c_{k+1} + (k(k + 1) − 2λ)c_k.
+template <class T>
+void advance(March<T>& m, const Pair<T>& two_lambda, double step) {
+  const double z = 1 - m.distance;
+  const double w = m.distance * (2 - m.distance);
+  const double first = -2 * z * step / w;
+  const double second = step * step / w;
+  Pair<T> before, now, value, slope, force, lever;
+  double size = 0;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    before[i] = m.value[i];         // c_k h^k, h = −step
+    now[i] = -step * m.slope[i];    // c_{k+1} h^{k+1}
+    value[i] = before[i] + now[i];
+    slope[i] = now[i];
+    force[i] = before[i] + 0.5 * now[i];              // ∫ Φ over the step, by h
+    lever[i] = 0.5 * before[i] + inverse(3) * now[i]; // ∫ (z′ − z) Φ, by h²
+    size = std::max(size, std::abs(before[i]) + std::abs(now[i]));
+  }
+  for (int k = 0; k < most_terms; ++k) {
+    const double n = k;
+    const double a = first * (n + 1) * inverse(k + 2);
+    const double b = second * inverse(k + 1) * inverse(k + 2);
+    double left = 0;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const T next = a * now[i] + b * (n * (n + 1) - two_lambda[i]) * before[i];
+      value[i] += next;
+      slope[i] += (n + 2) * next;
+      force[i] += inverse(k + 3) * next;
+      lever[i] += inverse(k + 4) * next;
+      before[i] = now[i];
+      now[i] = next;
+      left = std::max(left, std::abs(before[i]) + std::abs(now[i]));
+    }
+    if ((n + 3) * left <= 0.25 * epsilon * size) break;
+  }
+  for (std::size_t i = 0; i < lanes; ++i) {
+    m.force[i] += step * force[i];
+    m.moment[i] += step * (z * force[i] - step * lever[i]);
+    m.value[i] = value[i];
+    m.slope[i] = slope[i] / -step;
+  }
+  m.distance += step;
+}
+
+template <class T>
+Pair<T> twice(const Pair<T>& lambda) { return {2.0 * lambda[0], 2.0 * lambda[1]}; }
+
+template <class T>
+March<T> started(const Pair<T>& two_lambda, double largest, double z_root, double tip_mass_ratio) {
+  return tip_mass_ratio > 0 ? from_tip_mass(two_lambda, tip_mass_ratio) : from_regular_end(two_lambda, largest, z_root);
+}
+
+// The longest step that turns the phase by less than π/2 and stays within half the radius of the series.
+double longest_step(double distance, double largest) {
+  const double phase = 1.5 * std::sqrt(distance * (2 - distance)) / std::sqrt(std::max(largest, 1e-300));
+  return std::min({0.5 * distance, phase, 0.5});
+}
+
+// Keeps an exponential (λ < 0) within range. A complex λ, of some moderate growing motion, must stay analytic and is left alone.
+void normalise(March<double>& m) {
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double size = std::max(std::abs(m.value[i]), std::abs(m.slope[i]) * m.distance);
+    for (double* x : {&m.value[i], &m.slope[i], &m.force[i], &m.moment[i], &m.tip[i]}) *x /= size;
+  }
+}
+void normalise(March<Complex>&) {}
+
+bool below_zero(double x, bool before) { return x == 0 ? before : x < 0; }
+bool below_zero(const Complex&, bool) { return false; }
+
+template <class T>
+std::array<WireField<T>, lanes> fields(const Pair<T>& lambda, double z_root, double tip_mass_ratio) {
+  const Pair<T> two_lambda = twice(lambda);
+  const double largest = std::max(std::abs(two_lambda[0]), std::abs(two_lambda[1]));
+  March<T> m = started(two_lambda, largest, z_root, tip_mass_ratio);
+  const double end = 1 - z_root;
+  std::array<WireField<T>, lanes> found;
+  Pair<bool> negative{};
+  while (m.distance < end) {
+    const double longest = longest_step(m.distance, largest);
+    const double left = end - m.distance;
+    const bool last = longest >= left;
+    advance(m, two_lambda, last ? left : longest);
+    if (last) m.distance = end;
+    normalise(m);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const bool now = below_zero(m.value[i], negative[i]);
+      if (now != negative[i]) ++found[i].zeros;
+      negative[i] = now;
+    }
+  }
+  const double w = (1 - z_root) * (1 + z_root);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    WireField<T>& f = found[i];
+    f.value = m.value[i];
+    f.tip = m.tip[i];
+    f.slope = w * m.slope[i];
+    // (1 − z²)Φ′ = 2λ · force and (1 − z²)(zΦ′ − Φ) = 2(λ − 1) · moment: free of the cancellation that the integrals of many waves have.
+    constexpr double waves = 6;
+    const bool many = std::abs(two_lambda[i]) > waves;
+    f.force = many ? f.slope / two_lambda[i] : m.force[i];
+    f.moment = many ? (z_root * f.slope - w * f.value) / (two_lambda[i] - 2.0) : m.moment[i];
+  }
+  return found;
+}
+
+}  // namespace
+
+std::array<WireField<double>, 2> wire_fields(const std::array<double, 2>& lambda, double z_root, double tip_mass_ratio) {
+  return fields(lambda, z_root, tip_mass_ratio);
+}
+
+std::array<WireField<Complex>, 2> wire_fields(const std::array<Complex, 2>& lambda, double z_root, double tip_mass_ratio) {
+  return fields(lambda, z_root, tip_mass_ratio);
+}
+
+template <class T>
+std::vector<T> wire_shape(const T& lambda, const std::vector<double>& z, double tip_mass_ratio) {
+  const Pair<T> two_lambda{2.0 * lambda, 2.0 * lambda};
+  const double largest = std::abs(two_lambda[0]);
+  std::vector<T> shape;
+  if (z.empty()) return shape;
+  March<T> m = started(two_lambda, largest, z.back(), tip_mass_ratio);
+  const March<T> start = m;
+  for (const double at : z) {
+    if (1 - at <= start.distance && tip_mass_ratio == 0) {  // within the first series
+      shape.push_back(1 - at <= 0 ? T(1) : from_regular_end(two_lambda, largest, at).value[0]);
+      continue;
+    }
+    while (m.distance < 1 - at) advance(m, two_lambda, std::min(longest_step(m.distance, largest), 1 - at - m.distance));
+    shape.push_back(m.value[0]);
+  }
+  return shape;
+}
+
+template std::vector<double> wire_shape(const double&, const std::vector<double>&, double);
+template std::vector<Complex> wire_shape(const Complex&, const std::vector<double>&, double);
+
+}  // namespace gyromode

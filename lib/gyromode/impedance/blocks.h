@@ -1,0 +1,39 @@
+#pragma once
+
+#include "gyromode/impedance/lifted_impedance.h"
+
+#include <vector>
+
+namespace gyromode {
+
+/// Coordinates of a Lifted impedance that are coupled to each other and to no other, at any frequency. Where they part into two groups of which entries within are real and between
+/// imaginary (Boland & Janssens 1979, Eq. 8), T = diag(1, −j) makes the block real symmetric.
+struct Block {
+  std::vector<Index> coordinates;
+  std::vector<bool> in_quadrature;  ///< a coordinate; all false without a partition
+  bool real = true;
+  std::vector<Index> twins;         ///< coordinates of equal blocks of one coordinate that this stands for as well: patterns of equal parts that leave the rest at peace
+
+  Index copies() const { return 1 + static_cast<Index>(twins.size()); }
+  Index size() const { return static_cast<Index>(coordinates.size()); }
+};
+
+std::vector<Block> blocks_of(const LiftedImpedance& impedance);
+
+/// A block at one frequency: its eigenvalues, ascending, and n₋ of what it stands for.
+struct BlockState {
+  Vector eigenvalues;
+  Index count = 0;       ///< J(ω) = n₋(matrix) + Σ held, of one copy
+  double nearest = 0;    ///< eigenvalue of least modulus
+};
+BlockState state_of(const Block& block, const Lifted& lifted);
+
+/// Eigenvalue of least modulus with its vector in the coordinates of the Lifted matrix (zero elsewhere), 2-norm 1.
+struct NearestEigenpair {
+  double value = 0;
+  ComplexVector vector;
+};
+/// The `position`-th by modulus (0: the least).
+NearestEigenpair nearest_eigenpair(const Block& block, const Lifted& lifted, Index position = 0);
+
+}  // namespace gyromode

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "gyromode/impedance/isolate.h"
+
+namespace gyromode {
+
+/// A root of one block, to full precision.
+struct Root {
+  Index block = 0;
+  double omega = 0;
+  double lo = 0, hi = 0;       ///< counts on both sides prove it there: the narrowest that rounding leaves beyond doubt
+  Index together = 1;          ///< how many share the bracket
+  double value = 0;            ///< μ, the eigenvalue of the block that vanishes, as computed at ω
+  double slope = 0;            ///< μ′ = xᴴ (dH/dω) x
+  double error = 0;            ///< on |δω|: (|μ| + rounding) / |μ′|
+  ComplexVector vector;        ///< x in the coordinates of the Lifted matrix, 2-norm 1
+
+  /// The sign of xᴴ(2ωM − jG)x of the whole system: an eigenvalue falls through zero where the energy is positive (gyroscopic.md (T11)).
+  int energy_sign() const { return slope < 0 ? 1 : -1; }
+};
+
+/// The root (or roots) of a bracket, on the eigenvalue that changes sign: inverse quadratic interpolation, bisection where it does not pay (Chandrupatla 1997), the counts keeping
+/// the bracket. One Root a root and copy.
+std::vector<Root> converge(const BlockedImpedance& h, const Bracket& bracket, const GrowingCount& growing);
+
+}  // namespace gyromode

@@ -1,0 +1,73 @@
+#include "gyromode/spacecraft/spacecraft.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace gyromode {
+
+namespace {
+
+template <class Part>
+void require_lawful(const std::vector<Part>& parts, const char* name) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (const auto b = breach_of(parts[i])) throw BrokenPromise(fmt::format("{} {}: {}", name, i + 1, b->law));
+  }
+}
+
+// What condition 1 and 2 are relative to: Σ∫ r dm.
+double total_first_moment(const Spacecraft& s) {
+  double sum = 0;
+  for (const Cable& c : s.cables()) sum += c.first_moment();
+  for (const SpringMass& m : s.masses()) sum += m.mass * m.position.head<2>().norm();
+  return sum;
+}
+
+}  // namespace
+
+const Labels& Spacecraft::labels() {
+  static const Labels all{"zeta1", "zeta2", "zeta3", "theta1", "theta2", "theta3"};
+  return all;
+}
+
+Spacecraft::Spacecraft(double spin, Body body, std::vector<Cable> cables, std::vector<Beam> beams, std::vector<SpringMass> masses)
+    : spin_(spin), body_(std::move(body)), cables_(std::move(cables)), beams_(std::move(beams)), masses_(std::move(masses)) {
+  if (!(spin_ > 0) || !std::isfinite(spin_)) {
+    throw BrokenPromise(fmt::format("spin must be above 0: it is {:.6g} rad/s{}", spin_,
+                                    spin_ < 0 ? " (for the other sense of rotation turn axis 3 around)" : cables_.empty() ? "" : ", and without it no cable is taut"));
+  }
+  if (const auto b = breach_of(body_)) throw BrokenPromise(fmt::format("body: {}", b->law));
+  require_lawful(cables_, "cable");
+  require_lawful(beams_, "beam");
+  require_lawful(masses_, "spring mass");
+  body_.inertia = (0.5 * (body_.inertia + body_.inertia.transpose())).eval();
+  rigid_ = MassProperties::body(body_.mass, body_.inertia);
+  for (const Cable& c : cables_) rigid_ += CableGroup({c}, spin_).rigid();
+  for (const Beam& b : beams_) rigid_ += BeamAppendage(b, spin_).rigid();
+  for (const SpringMass& m : masses_) rigid_ += MassProperties::point(m.mass, m.position);
+  centre_ = rigid_.first(2) / rigid_.mass;
+  require_equilibrium();
+  rigid_ = rigid_.seen_from(centre_);
+}
+
+// cables.md §6: no net centrifugal force on the body, and no net moment across the spin axis.
+void Spacecraft::require_equilibrium() const {
+  const double square = spin_ * spin_;
+  const double across = rigid_.first.head<2>().norm();
+  if (across > tolerance * total_first_moment(*this)) {
+    throw BrokenPromise(
+        fmt::format("steady spin about axis 3 must be an equilibrium: the mass centre is off the axis by ({:.6g}, {:.6g}) m, which leaves a centrifugal force of ({:.6g}, {:.6g}) N "
+                    "(balance Σ S (cos α, sin α) + Σ m (x, y) = 0, S = ∫ r dm of each cable)",
+                    rigid_.first(0) / rigid_.mass, rigid_.first(1) / rigid_.mass, square * rigid_.first(0), square * rigid_.first(1)));
+  }
+  const Eigen::Matrix3d j = rigid_.inertia();
+  const double product = std::hypot(j(0, 2), j(1, 2));
+  if (product > tolerance * j(2, 2)) {
+    throw BrokenPromise(
+        fmt::format("steady spin about axis 3 must be an equilibrium: the products of inertia of the complete satellite are J13 = {:.6g}, J23 = {:.6g} kg m², which leaves a moment of "
+                    "({:.6g}, {:.6g}) N m (the body's own J13 must be Σ S h cos α + Σ m x z, and J23 likewise with sin α and y)",
+                    j(0, 2), j(1, 2), square * j(1, 2), -square * j(0, 2)));
+  }
+}
+
+}  // namespace gyromode

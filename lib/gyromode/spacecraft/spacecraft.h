@@ -1,0 +1,65 @@
+#pragma once
+
+#include "gyromode/appendage/beam.h"
+#include "gyromode/appendage/cable.h"
+#include "gyromode/appendage/spring_mass.h"
+#include "gyromode/system/promise.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gyromode {
+
+/// The rigid central body alone. The origin of all heights and positions is its centre of mass.
+struct Body {
+  double mass = 0;                                       ///< kg
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();     ///< kg m², about its own centre of mass; off-diagonal entries −∫ xy dm …
+};
+
+/// A law that one part of a model breaks: at which key, and the law with the value.
+struct Breach {
+  std::string key, law;
+};
+std::optional<Breach> breach_of(const Body& body);
+std::optional<Breach> breach_of(const Cable& cable);
+std::optional<Breach> breach_of(const Beam& beam);
+std::optional<Breach> breach_of(const SpringMass& mass);
+
+/// A rigid body with booms and sprung masses that spins steadily about its axis 3. One that exists is in equilibrium: its parts are lawful, its mass centre is on axis 3 and the products of
+/// inertia J13, J23 of the complete satellite vanish (cables.md §6), within `tolerance`.
+class Spacecraft {
+ public:
+  static constexpr double tolerance = 1e-9;  ///< of the mass centre relative to Σ∫r dm, of J13 and J23 to J33
+
+  /// Throws BrokenPromise; for no equilibrium, by how much, in N and N m.
+  Spacecraft(double spin, Body body, std::vector<Cable> cables = {}, std::vector<Beam> beams = {}, std::vector<SpringMass> masses = {});
+
+  double spin() const { return spin_; }  ///< rad/s, > 0, about axis 3
+  const Body& body() const { return body_; }
+  const std::vector<Cable>& cables() const { return cables_; }
+  const std::vector<Beam>& beams() const { return beams_; }
+  const std::vector<SpringMass>& masses() const { return masses_; }
+
+  /// Of the complete satellite, frozen, about its own centre of mass P.
+  const MassProperties& rigid() const { return rigid_; }
+  /// Height of P above the body's centre of mass.
+  double centre() const { return centre_; }
+
+  /// zeta1 zeta2 zeta3 (displacement of P, m, in turning axes), theta1 theta2 theta3 (rotation vector of the body).
+  static const Labels& labels();
+  Index size() const { return 6; }
+
+ private:
+  void require_equilibrium() const;
+
+  double spin_;
+  Body body_;
+  std::vector<Cable> cables_;
+  std::vector<Beam> beams_;
+  std::vector<SpringMass> masses_;
+  MassProperties rigid_;
+  double centre_ = 0;
+};
+
+}  // namespace gyromode

@@ -1,0 +1,129 @@
+#include "gyromode/spacecraft/spacecraft_impedance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gyromode {
+
+namespace {
+
+struct Units {
+  double mass, length, time;
+
+  Cable of(Cable c, double centre) const {
+    c.height = (c.height - centre) / length;
+    c.radius /= length;
+    c.length /= length;
+    c.line_density *= length / mass;
+    c.tip_mass /= mass;
+    return c;
+  }
+  Beam of(Beam b, double centre) const {
+    b.root_height = (b.root_height - centre) / length;
+    b.length /= length;
+    b.line_density *= length / mass;
+    b.tip_mass /= mass;
+    for (double& e : b.bending_stiffness) e *= time * time / (mass * length * length * length);
+    return b;
+  }
+  SpringMass of(SpringMass m, double centre) const {
+    m.position = (m.position - Eigen::Vector3d(0, 0, centre)) / length;
+    m.mass /= mass;
+    m.stiffness *= time * time / mass;
+    return m;
+  }
+};
+
+// Cables with one field together, in the order of their first.
+std::vector<std::vector<Cable>> groups_of(const std::vector<Cable>& cables) {
+  std::vector<std::vector<Cable>> groups;
+  for (const Cable& c : cables) {
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.front().same_field(c); });
+    if (group != groups.end()) group->push_back(c);
+    else groups.push_back({c});
+  }
+  return groups;
+}
+
+double tilt_scale(double omega) { return 1 / std::sqrt(1 + omega * omega); }
+double tilt_scale(const Complex&) { return 1; }  // analytic
+
+}  // namespace
+
+SpacecraftImpedance::SpacecraftImpedance(const Spacecraft& s) : spin_(s.spin()), mass_(s.rigid().mass) {
+  const Eigen::Matrix3d j = s.rigid().inertia();
+  length_ = std::sqrt(j(2, 2) / mass_);
+  inertia_ = j / j(2, 2);
+  const Units units{mass_, length_, 1 / spin_};
+  for (const auto& group : groups_of(s.cables())) {
+    std::vector<Cable> scaled;
+    for (const Cable& c : group) scaled.push_back(units.of(c, s.centre()));
+    if (group.front().radius == 0) cables_on_axis_ += static_cast<Index>(group.size());
+    take(std::make_unique<CableGroup>(std::move(scaled), 1));
+  }
+  for (const Beam& b : s.beams()) take(std::make_unique<BeamAppendage>(units.of(b, s.centre()), 1));
+  for (const SpringMass& m : s.masses()) take(std::make_unique<SpringMassAppendage>(units.of(m, s.centre()), 1));
+}
+
+void SpacecraftImpedance::take(std::unique_ptr<Appendage> appendage) {
+  const Index own = appendage->coordinates();
+  parts_.push_back({std::move(appendage), size_});
+  size_ += own;
+}
+
+// The frozen satellite: −m on ξ, −J33 on φ3, and on θ1, θ2 (cables.md §3, J13 = J23 = 0)
+//     [Ω²(J33 − J22) − ω²J11    (Ω² − ω²)J12 − jωΩ(J11 + J22 − J33)]
+//     [·                        Ω²(J33 − J11) − ω²J22              ].
+template <class T>
+void SpacecraftImpedance::add_all(const T& omega, Lifted& to) const {
+  to.matrix.setZero(size_, size_);
+  to.held.assign(static_cast<std::size_t>(size_), 0);
+  const Eigen::Matrix3d& j = inertia_;
+  const Complex gyroscopic = Complex(0, 1) * (j(0, 0) + j(1, 1) - j(2, 2)) * omega;
+  const T square = omega * omega;
+  ComplexMatrix& h = to.matrix;
+  h(0, 0) = h(1, 1) = h(2, 2) = h(5, 5) = -1;
+  h(3, 3) = (j(2, 2) - j(1, 1)) - square * j(0, 0);
+  h(4, 4) = (j(2, 2) - j(0, 0)) - square * j(1, 1);
+  h(3, 4) = (1.0 - square) * j(0, 1) - gyroscopic;
+  h(4, 3) = (1.0 - square) * j(0, 1) + gyroscopic;
+  for (const Part& part : parts_) part.appendage->add(omega, to, part.first);
+  const double scale = tilt_scale(omega);
+  h.middleRows<2>(3) *= scale;
+  h.middleCols<2>(3) *= scale;
+}
+
+Lifted SpacecraftImpedance::at(double omega) const {
+  Lifted l;
+  add_all(omega, l);
+  return l;
+}
+
+ComplexMatrix SpacecraftImpedance::at(Complex omega) const {
+  Lifted l;
+  add_all(omega, l);
+  return std::move(l.matrix);
+}
+
+// Errors of the fields grow as their phase, some 2ω/Ω (appendage/wire_field.h).
+double SpacecraftImpedance::rounding(double omega) const {
+  return std::numeric_limits<double>::epsilon() * (static_cast<double>(size_) + 2 * omega);
+}
+
+// ζ = B⁻¹ξ; the first row of H without its factor B gives it where B is singular: mζ is minus the first moment of the motion relative to the body.
+ComplexVector SpacecraftImpedance::body_motion(double omega, const ComplexVector& x) const {
+  const Complex j(0, 1);
+  const double scale = 1 / std::sqrt(1 + omega * omega);
+  ComplexVector q(6);
+  const double determinant = (omega - 1) * (omega + 1);
+  q(0) = length_ * (omega * x(0) - j * x(1)) / determinant;
+  q(1) = length_ * (j * x(0) + omega * x(1)) / determinant;
+  q(2) = length_ * x(2) / omega;
+  q(3) = scale * x(3);
+  q(4) = scale * x(4);
+  q(5) = x(5) / omega;
+  return q;
+}
+
+}  // namespace gyromode
