@@ -8,8 +8,8 @@ namespace {
 
 constexpr Index points_of_a_beam = 33;
 
-Index count_held(double own, double kappa, double length, double tip_length) { return cantilever_poles_below(kappa, length, tip_length) - (own < 0 ? 1 : 0); }
-Index count_held(const Complex&, const Complex&, double, double) { return 0; }
+Index count_held(double own, double kappa, double tip_ratio) { return cantilever_poles_below(kappa, 1, tip_ratio) - (own < 0 ? 1 : 0); }
+Index count_held(const Complex&, const Complex&, double) { return 0; }
 
 }  // namespace
 
@@ -35,8 +35,11 @@ BeamAppendage::Cantilevers<T> BeamAppendage::decoupled(const T& omega) const {
   if (std::abs(mean - root) > std::abs(mean + root)) root = -root;
   const T inertia = density * (omega - spin_) * (omega + spin_);
   Cantilevers<T> c;
-  c.kappa[0] = mean + root;
-  c.kappa[1] = c.kappa[0] == T(0) ? T(0) : inertia * inertia / (e1 * e2) / c.kappa[0];
+  const double l = beam_.length;
+  const double fourth = l * l * l * l;
+  const T larger = mean + root;
+  c.kappa[0] = fourth * larger;
+  c.kappa[1] = larger == T(0) ? T(0) : fourth * inertia * inertia / (e1 * e2) / larger;
   const bool by_first = std::abs(root + half) >= std::abs(root - half);
   T x = by_first ? T(root + half) : cross;
   T y = by_first ? cross : T(root - half);
@@ -51,22 +54,23 @@ BeamAppendage::Cantilevers<T> BeamAppendage::decoupled(const T& omega) const {
   return c;
 }
 
-// Rows of the loads 1 and s of a cantilever: ρφᵀN(ζ + z(θ2, −θ1)), z = h ± s, with Nζ = Bξ and η = jY.
+// Rows of the loads 1 and s/l of a cantilever of unit length, times l^(5/2): ρφᵀN(ζ + z(θ2, −θ1)), z = h ± s, with Nζ = Bξ and η = jY.
 template <class T>
 BeamAppendage::Rows BeamAppendage::loads(const T& omega, const T (&phi)[2], Complex j) const {
   const Turning<T> f(omega, spin_, j);
-  const double density = beam_.line_density;
+  const double l = beam_.length;
+  const double weight = beam_.line_density * l * l * std::sqrt(l);
   Rows r = Rows::Zero();
-  const Complex x = density * phi[0];
-  const Complex y = density * j * phi[1];
+  const Complex x = weight * phi[0];
+  const Complex y = weight * j * phi[1];
   r(0, 0) = x * f.omega - y * j * f.spin;
   r(0, 1) = x * j * f.spin + y * f.omega;
   const Complex tilt1 = -x * j * f.t - y * f.p;  // N(θ2, −θ1)
   const Complex tilt2 = x * f.p - y * j * f.t;
   r(0, 3) = beam_.root_height * tilt1;
   r(0, 4) = beam_.root_height * tilt2;
-  r(1, 3) = beam_.way() * tilt1;
-  r(1, 4) = beam_.way() * tilt2;
+  r(1, 3) = beam_.way() * l * tilt1;
+  r(1, 4) = beam_.way() * l * tilt2;
   return r;
 }
 
@@ -74,7 +78,7 @@ template <class T>
 void BeamAppendage::add_to(const T& omega, Lifted& to, Index first) const {
   const Cantilevers<T> c = decoupled(omega);
   for (Index k = 0; k < 2; ++k) {
-    const Answer<T> answer = cantilever_answer(c.kappa[k], beam_.length, tip_length_);
+    const Answer<T> answer = cantilever_answer(c.kappa[k], 1, tip_ratio_);
     const Pole<T> pole(answer);
     const Kept<T> keep = kept(pole, answer.phi);
     const Rows right = loads(omega, c.phi[k], Complex(0, 1)), left = loads(omega, c.phi[k], Complex(0, -1));
@@ -85,7 +89,7 @@ void BeamAppendage::add_to(const T& omega, Lifted& to, Index first) const {
     to.matrix(at, at) = keep.own;
     to.matrix.row(at).head<body_coordinates>() = keep.right * (pole.e1 * right.row(0) + pole.e2 * right.row(1));
     to.matrix.col(at).head<body_coordinates>() = keep.left * (pole.e1 * left.row(0) + pole.e2 * left.row(1)).transpose();
-    to.held[static_cast<std::size_t>(at)] = count_held(keep.own, c.kappa[k], beam_.length, tip_length_);
+    to.held[static_cast<std::size_t>(at)] = count_held(keep.own, c.kappa[k], tip_ratio_);
   }
 }
 
@@ -100,25 +104,26 @@ std::vector<Outline> BeamAppendage::outlines() const {
 // The load in direction e over φ is −√s x/a, finite at a pole; there the answer itself is taken beside it.
 std::vector<ComplexMatrix> BeamAppendage::displaced(double omega, const ComplexVector& body, const ComplexVector& own) const {
   std::vector<double> stations;
-  for (Index i = 0; i < points_of_a_beam; ++i) stations.push_back(beam_.length * static_cast<double>(i) / (points_of_a_beam - 1));
+  for (Index i = 0; i < points_of_a_beam; ++i) stations.push_back(static_cast<double>(i) / (points_of_a_beam - 1));
   const Cantilevers<double> c = decoupled(omega);
   ComplexMatrix d = ComplexMatrix::Zero(3, points_of_a_beam);
   for (Index k = 0; k < 2; ++k) {
     double kappa = c.kappa[k];
-    Answer<double> answer = cantilever_answer(kappa, beam_.length, tip_length_);
+    Answer<double> answer = cantilever_answer(kappa, 1, tip_ratio_);
     const Pole<double> pole(answer);
     const double border = kept(pole, answer.phi).left;
     constexpr double beside = 1e-7;
     if (std::abs(answer.phi) < beside) {
       kappa *= 1 + 100 * beside;
-      answer = cantilever_answer(kappa, beam_.length, tip_length_);
+      answer = cantilever_answer(kappa, 1, tip_ratio_);
     }
     const Eigen::Vector2cd load = loads(omega, c.phi[k], Complex(0, 1)) * body;
-    const Vector along = answer.phi * cantilever_shape(kappa, beam_.length, tip_length_, pole.e1, pole.e2, stations);
-    const Vector across = cantilever_shape(kappa, beam_.length, tip_length_, -pole.e2, pole.e1, stations);
+    const Vector along = answer.phi * cantilever_shape(kappa, 1, tip_ratio_, pole.e1, pole.e2, stations);
+    const Vector across = cantilever_shape(kappa, 1, tip_ratio_, -pole.e2, pole.e1, stations);
     const ComplexVector psi = (-border * own(k) / pole.a) * along.cast<Complex>() + (-pole.e2 * load(0) + pole.e1 * load(1)) * across.cast<Complex>();
-    d.row(0) += c.phi[k][0] * psi.transpose();
-    d.row(1) += c.phi[k][1] * Complex(0, -1) * psi.transpose();  // Y = −jη
+    const double back = std::pow(beam_.length, 1.5);  // ψ of unit length, for loads l^(5/2) ρφᵀN: l⁴ ψ in all
+    d.row(0) += back * c.phi[k][0] * psi.transpose();
+    d.row(1) += back * c.phi[k][1] * Complex(0, -1) * psi.transpose();  // Y = −jη
   }
   return {d};
 }

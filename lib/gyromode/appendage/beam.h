@@ -24,7 +24,7 @@ struct Beam {
 /// Where the first cantilever frequency is below the spin, the boom is soft: its fixed-root count then begins with what the spin makes negative.
 class BeamAppendage : public Appendage {
  public:
-  BeamAppendage(const Beam& beam, double spin) : beam_(beam), spin_(spin), tip_length_(beam.tip_mass / beam.line_density) {}
+  BeamAppendage(const Beam& beam, double spin) : beam_(beam), spin_(spin), tip_ratio_(beam.tip_mass / (beam.line_density * beam.length)) {}
 
   Index coordinates() const override { return 2; }
   MassProperties rigid() const override;
@@ -36,7 +36,7 @@ class BeamAppendage : public Appendage {
  private:
   template <class T>
   struct Cantilevers {
-    T kappa[2];
+    T kappa[2];   // times l⁴
     T phi[2][2];  // φ_k of (X, η), φᵀEφ = 1
   };
   using Rows = Eigen::Matrix<Complex, 2, body_coordinates>;
@@ -50,7 +50,7 @@ class BeamAppendage : public Appendage {
 
   Beam beam_;
   double spin_;
-  double tip_length_;  // ε
+  double tip_ratio_;  // ε/l
 };
 
 }  // namespace gyromode

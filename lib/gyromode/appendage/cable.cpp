@@ -63,7 +63,7 @@ template <class T>
 CableGroup::Answers<T> CableGroup::answers(const T& omega) const {
   const T ratio = omega / spin_;
   const T lambda = ratio * ratio;
-  Answers<T> found{{}, {}, wire_fields(std::array<T, 2>{1.0 + lambda, lambda}, z_root_, tip_mass_ratio_)};
+  Answers<T> found{{}, {}, {}, {}, wire_fields(std::array<T, 2>{1.0 + lambda, lambda}, z_root_, tip_mass_ratio_)};
   const double line = one_.line_density * unit_;
   const double a = one_.radius;
   const double m0 = one_.mass();
@@ -74,8 +74,15 @@ CableGroup::Answers<T> CableGroup::answers(const T& omega) const {
   const T difference = (omega - spin_) * (omega + spin_);
   const T v0 = line * found.field[0].force, v1 = line * unit_ * found.field[0].moment;
   const T w0 = line * found.field[1].force, w1 = line * unit_ * found.field[1].moment;
-  found.in_plane = {found.field[0].value, v0 / p, omega * v1 / p, a * v1, v1 * s * square / (p * p), m0 / p, omega * s / p, T(inertia)};
-  found.out_of_plane = {found.field[1].value, w0, -omega * a * w0, difference * a * w1, -a * w0 * s * square, T(m0), -omega * s, difference * inertia};
+  const T root_p = std::sqrt(p);
+  const double root_m = std::sqrt(m0);
+  found.in_units[0] = root_m / root_p;
+  found.in_units[1] = root_m * one_.reach();
+  found.out_units[0] = root_m;
+  found.out_units[1] = root_m * one_.reach() * root_p;
+  found.in_plane = Answer<T>{found.field[0].value, v0 / p, omega * v1 / p, a * v1, v1 * s * square / (p * p), m0 / p, omega * s / p, T(inertia)}.scaled(1.0 / found.in_units[0], 1.0 / found.in_units[1]);
+  found.out_of_plane = Answer<T>{found.field[1].value, w0, -omega * a * w0, difference * a * w1, -a * w0 * s * square, T(m0), -omega * s, difference * inertia}
+                           .scaled(1.0 / found.out_units[0], 1.0 / found.out_units[1]);
   return found;
 }
 
@@ -109,8 +116,12 @@ Index count_held(const Complex&, Index) { return 0; }
 
 // The share of one field in all its patterns. `first_load`: features of the first load come first; else last.
 template <class T, int features>
-void add_field(const Answer<T>& answer, Index zeros, const Patterns& patterns, const Eigen::Matrix<double, 2, features>& loads,
-               const Eigen::Matrix<Complex, features, body_coordinates>& right, const Eigen::Matrix<Complex, features, body_coordinates>& left, Lifted& to, Index first) {
+void add_field(const Answer<T>& answer, const T (&units)[2], Index zeros, const Patterns& patterns, const Eigen::Matrix<double, 2, features>& loads,
+               Eigen::Matrix<Complex, features, body_coordinates> right, Eigen::Matrix<Complex, features, body_coordinates> left, Lifted& to, Index first) {
+  for (int i = 0; i < features; ++i) {
+    right.row(i) *= units[loads(0, i) != 0 ? 0 : 1];
+    left.row(i) *= units[loads(0, i) != 0 ? 0 : 1];
+  }
   const Pole<T> pole(answer);
   const Kept<T> keep = kept(pole, answer.phi);
   // − Wᵀ regular W summed over the cables: feature by feature with the Gram matrix.
@@ -143,8 +154,8 @@ template <class T>
 void CableGroup::add_to(const T& omega, Lifted& to, Index first) const {
   const Answers<T> a = answers(omega);
   const Turning<T> plus(omega, spin_, Complex(0, 1)), minus(omega, spin_, Complex(0, -1));
-  add_field<T, 5>(a.in_plane, a.field[0].zeros, in_plane_, in_plane_loads, in_plane_rows(plus), in_plane_rows(minus), to, first);
-  add_field<T, 3>(a.out_of_plane, a.field[1].zeros, out_of_plane_, out_of_plane_loads, out_of_plane_rows(), out_of_plane_rows(), to, first + count());
+  add_field<T, 5>(a.in_plane, a.in_units, a.field[0].zeros, in_plane_, in_plane_loads, in_plane_rows(plus), in_plane_rows(minus), to, first);
+  add_field<T, 3>(a.out_of_plane, a.out_units, a.field[1].zeros, out_of_plane_, out_of_plane_loads, out_of_plane_rows(), out_of_plane_rows(), to, first + count());
 }
 
 }  // namespace gyromode

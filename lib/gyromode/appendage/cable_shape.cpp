@@ -49,6 +49,7 @@ std::vector<ComplexMatrix> CableGroup::displaced(double omega, const ComplexVect
   const double out_border = kept(out, a.out_of_plane.phi).left;
   const double p = omega * omega + spin_ * spin_;
   const double t = 2 * omega * spin_;
+  const double mass = one_.mass(), reach = one_.reach();
   const double tension = one_.first_moment() * spin_ * spin_;
   const std::vector<double> z = stations();
   const double lambda = omega * omega / (spin_ * spin_);
@@ -66,10 +67,14 @@ std::vector<ComplexMatrix> CableGroup::displaced(double omega, const ComplexVect
     const Eigen::Vector3d e = c.direction();
     const Complex u = -e(1) * (v1 + c.height * n1) + e(0) * (v2 + c.height * n2);
     const Complex turn = -e(1) * body(3) + e(0) * body(4);
-    const double c1 = 1 / p, c2 = c.radius / omega;
-    const Complex amplitude_in = -(c1 * in.e1 + c2 * in.e2) * in_border * x_in(i) / in.a + tension * in.e1 / (in.a * omega * p * p) * (-in.e2 * u + in.e1 * body(5));
-    const Complex amplitude_out = -(out.e1 / omega - c.radius * out.e2) * out_border * x_out(i) / out.a +
-                                  c.radius * tension * out.e2 / (out.a * omega) * (-out.e2 * body(2) + out.e1 * turn);
+    const double c1 = 1 / p / a.in_units[0], c2 = c.radius / omega / a.in_units[1];
+    const Complex amplitude_in = -(c1 * in.e1 + c2 * in.e2) * in_border * x_in(i) / in.a +
+                                 a.in_units[1] * tension / (mass * mass * reach * reach * p) * in.e1 / (in.a * omega) *
+                                     (-in.e2 * a.in_units[0] * u + in.e1 * a.in_units[1] * body(5));
+    const double d1 = 1 / omega / a.out_units[0], d2 = -c.radius / a.out_units[1];
+    const Complex amplitude_out = -(d1 * out.e1 + d2 * out.e2) * out_border * x_out(i) / out.a +
+                                  a.out_units[0] * c.radius * tension / (mass * mass * reach * reach * p) * out.e2 / (out.a * omega) *
+                                      (-out.e2 * a.out_units[0] * body(2) + out.e1 * a.out_units[1] * turn);
     ComplexMatrix d(3, points_of_a_wire);
     for (Index k = 0; k < points_of_a_wire; ++k) {
       const double r = c.radius + c.length * static_cast<double>(k) / (points_of_a_wire - 1);

@@ -13,6 +13,11 @@ struct Answer {
   T q11, q12, q22;
   T det;
   T lump11, lump12, lump22;
+
+  /// C in units in which the loads are divided by s1 and s2.
+  Answer scaled(const T& s1, const T& s2) const {
+    return {phi, s1 * s1 * q11, s1 * s2 * q12, s2 * s2 * q22, s1 * s1 * s2 * s2 * det, s1 * s1 * lump11, s1 * s2 * lump12, s2 * s2 * lump22};
+  }
 };
 
 /// C = e eᵀ a/φ + regular with eᵀe = 1, a the eigenvalue of Q that is larger in modulus: the pole in one direction of the loads. A coordinate x is kept for it,

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "gyromode/spacecraft/spacecraft.h"
+#include "gyromode/system/system.h"
+
+namespace gyromode {
+
+/// How finely.
+struct Mesh {
+  Index elements = 50;  ///< a boom
+  Index degree = 1;     ///< of the displacement in an element of a cable (Gauss–Lobatto nodes): errors of frequencies fall as elements^(−2 degree). Beams are cubic, ^(−4)
+};
+
+/// The spacecraft with its booms in finite elements, built from energies (QuadraticEnergy): M q̈ + G q̇ + K q = 0 in turning axes, K with θ3 free. Displacement of the body is eliminated
+/// by its being such that the mass centre rests: coordinates θ1, θ2, θ3 and the displacements of the nodes relative to the body, m and rad. Independent of the exact fields, and their check.
+System discretise(const Spacecraft& s, const Mesh& mesh);
+
+}  // namespace gyromode

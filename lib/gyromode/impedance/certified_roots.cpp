@@ -1,0 +1,102 @@
+#include "gyromode/impedance/certified_roots.h"
+
+#include "gyromode/impedance/growing_root.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gyromode {
+
+CertifiedRoots::CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const Seeds& seeds)
+    : blocked_(impedance), static_(static_count(blocked_, free, cyclic, zeros)) {
+  if (!needs_seeds()) return;
+  find_growing(seeds.growing);
+  find_negative(seeds.negative_energy);
+}
+
+bool CertifiedRoots::needs_seeds() const {
+  return std::any_of(static_.reduced.begin(), static_.reduced.end(), [](Index n) { return n > 0; });
+}
+
+bool CertifiedRoots::closed() const {
+  if (static_.doubtful) return false;
+  std::vector<Index> left = static_.reduced;
+  for (const GrowingRoot& g : growing_) left[static_cast<std::size_t>(g.block)] -= g.omega > 0 ? 2 : 1;
+  for (const Root& r : negative_) left[static_cast<std::size_t>(r.block)] -= 2;
+  return std::all_of(left.begin(), left.end(), [](Index n) { return n == 0; });
+}
+
+// Around the seed the count must fall by one: where it does, and the eigenvalue there rises, is a mode of negative energy, whatever the seed was.
+void CertifiedRoots::find_negative(const std::vector<double>& seeds) {
+  const GrowingCount falling = [](Index, double, Index count) { return -count; };
+  for (const double seed : seeds) {
+    for (std::size_t b = 0; b < blocked_.blocks.size(); ++b) {
+      if (static_.reduced[b] <= 0) continue;
+      constexpr double narrowest = 1e-10, widest = 0.03;
+      for (double width = narrowest; width < widest; width *= 3) {
+        const double lo = seed * (1 - width), hi = seed * (1 + width);
+        const Index before = state_of(blocked_.blocks[b], blocked_.impedance.at(lo)).count;
+        const Index after = state_of(blocked_.blocks[b], blocked_.impedance.at(hi)).count;
+        if (before - after != 1) continue;
+        const Bracket bracket{static_cast<Index>(b), lo, hi, -before, 1};
+        Root root = converge(blocked_, bracket, falling).front();
+        const bool known = std::any_of(negative_.begin(), negative_.end(), [&](const Root& r) {
+          return r.block == root.block && std::abs(r.omega - root.omega) <= 4 * (r.error + root.error) + 1e-14 * root.omega;
+        });
+        if (!known && root.energy_sign() < 0) negative_.push_back(std::move(root));
+        break;
+      }
+    }
+  }
+  std::sort(negative_.begin(), negative_.end(), [](const Root& a, const Root& b) { return a.omega < b.omega; });
+}
+
+void CertifiedRoots::find_growing(const std::vector<Complex>& seeds) {
+  for (const Complex& seed : seeds) {
+    for (std::size_t b = 0; b < blocked_.blocks.size(); ++b) {
+      if (static_.reduced[b] <= 0) continue;
+      const auto root = growing_root(blocked_, static_cast<Index>(b), seed);
+      if (!root) continue;
+      const auto same = [&](const GrowingRoot& g) {
+        return g.block == root->block && std::abs(Complex(g.growth - root->growth, g.omega - root->omega)) <= 1e-7 * std::abs(Complex(g.growth, g.omega));
+      };
+      if (std::none_of(growing_.begin(), growing_.end(), same)) growing_.push_back(*root);
+    }
+  }
+}
+
+Index CertifiedRoots::growing_count(Index block, double omega, Index count) const {
+  Index passed = 0;
+  for (const Root& r : negative_) passed += r.block == block && r.omega < omega ? 1 : 0;
+  return count + 2 * passed;
+}
+
+std::vector<Root> CertifiedRoots::between(double a, double b) const {
+  const GrowingCount growing = [this](Index block, double omega, Index count) { return growing_count(block, omega, count); };
+  std::vector<Root> roots;
+  for (const Bracket& bracket : isolate(blocked_, a, b, growing)) {
+    for (Root& r : converge(blocked_, bracket, growing)) roots.push_back(std::move(r));
+  }
+  std::stable_sort(roots.begin(), roots.end(), [](const Root& x, const Root& y) { return x.omega < y.omega; });
+  return roots;
+}
+
+Index CertifiedRoots::below(double omega) const {
+  const Lifted lifted = blocked_.impedance.at(omega);
+  Index sum = 0;
+  for (std::size_t b = 0; b < blocked_.blocks.size(); ++b) {
+    const Index now = omega == 0 ? static_.count[b] : growing_count(static_cast<Index>(b), omega, state_of(blocked_.blocks[b], lifted).count);
+    sum += (now - static_.count[b]) * blocked_.blocks[b].copies();
+  }
+  return sum;
+}
+
+Index CertifiedRoots::count(double a, double b) const { return below(b) - below(a); }
+
+bool CertifiedRoots::doubtful_at(double omega) const {
+  const Lifted lifted = blocked_.impedance.at(omega);
+  const double limit = 4 * blocked_.impedance.rounding(omega);
+  return std::any_of(blocked_.blocks.begin(), blocked_.blocks.end(), [&](const Block& b) { return std::abs(state_of(b, lifted).nearest) <= limit; });
+}
+
+}  // namespace gyromode

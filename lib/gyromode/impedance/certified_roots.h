@@ -1,0 +1,59 @@
+#pragma once
+
+#include "gyromode/impedance/converge.h"
+#include "gyromode/impedance/static_count.h"
+
+namespace gyromode {
+
+/// A root off the real axis: e^{λt}, λ = growth + j omega, both in units of the impedance; omega = 0 for divergence.
+struct GrowingRoot {
+  Index block = 0;
+  double growth = 0, omega = 0;
+  Index copies = 1;
+};
+
+/// Where roots that do not follow the count may be: modes of negative energy and growing motions of an approximation of the same system. They start iterations on the exact impedance;
+/// nothing is believed of them.
+struct Seeds {
+  std::vector<double> negative_energy;  ///< ω
+  std::vector<Complex> growing;         ///< λ, positive real part, ω ≥ 0
+};
+
+/// The roots of an impedance with the proof that none is missing.
+///
+/// Where the static stiffness has no negative eigenvalue all energy is positive and the count J grows by one at every root. Otherwise n₋ = k_r + 2k_c + 2k₋ (T12) must be met by roots found
+/// and verified one by one, growing ones and those of negative energy, where J falls: then none of them is missing, and J with every fall taken back grows by one at every root.
+class CertifiedRoots {
+ public:
+  CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const Seeds& seeds);
+
+  const BlockedImpedance& blocked() const { return blocked_; }
+  const StaticCount& at_zero() const { return static_; }
+  bool needs_seeds() const;
+  /// Of every block: reduced = k_r + 2k_c + 2k₋.
+  bool closed() const;
+  const std::vector<GrowingRoot>& growing() const { return growing_; }
+  const std::vector<Root>& negative_energy() const { return negative_; }  ///< ascending
+
+  /// All roots in [a, b), ascending, copies as entries of their own.
+  std::vector<Root> between(double a, double b) const;
+  /// How many roots [a, b) holds by the growing count, copies counted; meaningful where closed().
+  Index count(double a, double b) const;
+  /// Growing count at ω over all blocks and copies, less that at 0⁺.
+  Index below(double omega) const;
+  /// Whether a root is so near ω that the count there is not beyond doubt.
+  bool doubtful_at(double omega) const;
+  /// The growing count of a block, from its J at ω.
+  Index growing_count(Index block, double omega, Index count) const;
+
+ private:
+  void find_negative(const std::vector<double>& seeds);
+  void find_growing(const std::vector<Complex>& seeds);
+
+  BlockedImpedance blocked_;
+  StaticCount static_;
+  std::vector<Root> negative_;
+  std::vector<GrowingRoot> growing_;
+};
+
+}  // namespace gyromode

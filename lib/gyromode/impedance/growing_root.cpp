@@ -1,0 +1,82 @@
+#include "gyromode/impedance/growing_root.h"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <cmath>
+
+namespace gyromode {
+
+namespace {
+
+ComplexMatrix block_at(const BlockedImpedance& h, const Block& b, const Complex& z) {
+  const ComplexMatrix whole = h.impedance.at(z);
+  return whole(b.coordinates, b.coordinates);
+}
+
+// Rows and columns scaled to 1: what singular means may not depend on the fields' factors.
+ComplexMatrix equilibrated(ComplexMatrix a) {
+  for (Index i = 0; i < a.rows(); ++i) {
+    const double size = a.row(i).cwiseAbs().maxCoeff();
+    if (size > 0) a.row(i) /= size;
+  }
+  for (Index i = 0; i < a.cols(); ++i) {
+    const double size = a.col(i).cwiseAbs().maxCoeff();
+    if (size > 0) a.col(i) /= size;
+  }
+  return a;
+}
+
+double relative_singularity(const ComplexMatrix& a) {
+  const auto s = Eigen::JacobiSVD<ComplexMatrix>(equilibrated(a)).singularValues();
+  return s(s.size() - 1) / s(0);
+}
+
+Complex bordered(const ComplexMatrix& a, const ComplexVector& u, const ComplexVector& v) {
+  const Index n = a.rows();
+  ComplexMatrix m(n + 1, n + 1);
+  m << a, u, v.adjoint(), ComplexMatrix::Zero(1, 1);
+  ComplexVector right = ComplexVector::Zero(n + 1);
+  right(n) = 1;
+  return Eigen::FullPivLU<ComplexMatrix>(m).solve(right)(n);
+}
+
+}  // namespace
+
+std::optional<GrowingRoot> growing_root(const BlockedImpedance& h, Index block, Complex seed) {
+  const Block& b = h.blocks[static_cast<std::size_t>(block)];
+  const bool divergence = seed.imag() == 0;
+  const Complex minus_j(0, -1);
+  const Complex start = minus_j * seed;
+  const Eigen::JacobiSVD<ComplexMatrix> svd(block_at(h, b, start), Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const ComplexVector u = svd.matrixU().rightCols(1), v = svd.matrixV().rightCols(1);
+  const auto on_axis = [&](const Complex& z) { return divergence ? Complex(0, z.imag()) : z; };
+  constexpr double first_step = 1e-4, reach = 0.1;
+  const double size = std::abs(seed);
+  const double rounding = h.impedance.rounding(size);
+  Complex before = start, z = on_axis(start * (1 + first_step));
+  Complex g_before = bordered(block_at(h, b, before), u, v);
+  constexpr int most_steps = 40;
+  bool settled = false;
+  for (int step = 0; step < most_steps && !settled; ++step) {
+    const Complex g = bordered(block_at(h, b, z), u, v);
+    const Complex move = -g * (z - before) / (g - g_before);
+    if (!std::isfinite(std::abs(move))) {
+      settled = std::abs(z - before) <= 1e-10 * size;
+      break;
+    }
+    before = z;
+    g_before = g;
+    z = on_axis(z + move);
+    if (!(std::abs(z - start) <= reach * size)) return std::nullopt;
+    settled = std::abs(move) <= 8 * rounding * size;
+  }
+  const double growth = -z.imag();
+  const double omega = divergence ? 0 : z.real();
+  constexpr double certainty = 1e4;  // growth rates nearer to rounding are no growth
+  if (!settled || !(growth > certainty * rounding * size) || omega < 0) return std::nullopt;
+  if (!(relative_singularity(block_at(h, b, z)) <= 1e3 * rounding)) return std::nullopt;
+  return GrowingRoot{block, growth, omega, b.copies()};
+}
+
+}  // namespace gyromode

@@ -1,0 +1,49 @@
+#include "gyromode/impedance/static_count.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gyromode {
+
+namespace {
+
+bool in(const std::vector<Index>& set, Index i) { return std::find(set.begin(), set.end(), i) != set.end(); }
+
+Block without(const Block& b, const std::vector<Index>& left_out) {
+  Block rest;
+  rest.real = b.real;
+  for (std::size_t k = 0; k < b.coordinates.size(); ++k) {
+    if (in(left_out, b.coordinates[k])) continue;
+    rest.coordinates.push_back(b.coordinates[k]);
+    rest.in_quadrature.push_back(b.in_quadrature[k]);
+  }
+  return rest;
+}
+
+}  // namespace
+
+StaticCount static_count(const BlockedImpedance& h, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros) {
+  const Lifted lifted = h.impedance.at(0.0);
+  const double limit = 16 * h.impedance.rounding(0);
+  StaticCount s;
+  Index found = 0;
+  for (const Block& b : h.blocks) {
+    const auto zero_or_less = [&](const Vector& e) { return (e.array().abs() <= limit && e.array() >= 0).count(); };
+    const BlockState state = state_of(b, lifted);
+    const Index nearly = (state.eigenvalues.array().abs() <= limit).count();
+    found += nearly * b.copies();
+    const Index count = state.count + zero_or_less(state.eigenvalues);
+    const Index of_free = std::count_if(b.coordinates.begin(), b.coordinates.end(), [&](Index i) { return in(free, i); });
+    s.count.push_back(count);
+    s.reduced.push_back(count - of_free - nearly);
+    const Block held = without(b, cyclic);
+    if (held.size() == 0) continue;
+    const BlockState still = state_of(held, lifted);
+    const Index free_left = std::count_if(held.coordinates.begin(), held.coordinates.end(), [&](Index i) { return in(free, i); });
+    s.negative += (still.count + zero_or_less(still.eigenvalues) - free_left - nearly) * b.copies();
+  }
+  s.doubtful = found != zeros;
+  return s;
+}
+
+}  // namespace gyromode
