@@ -4,6 +4,7 @@
 #include "verbs.h"
 
 #include "gyromode/modes/count.h"
+#include "gyromode/modes/spacecraft.h"
 
 #include <memory>
 

@@ -36,6 +36,8 @@ int guarded(const std::function<int()>& verb) {
     return failed(broken_law, e.what());
   } catch (const lapack::TooLarge& e) {
     return failed(unreadable_input, e.what());
+  } catch (const std::invalid_argument& e) {
+    return failed(wrong_usage, e.what());
   } catch (const std::bad_alloc&) {
     return failed(unreadable_input, "the model does not fit into memory: a dense solver needs about 100 n² bytes");
   } catch (const std::exception& e) {

@@ -2,6 +2,7 @@
 
 #include "errors.h"
 
+#include "gyromode/io/toml_table.h"
 #include "gyromode/io/unit.h"
 #include "gyromode/system/promise.h"
 
@@ -26,6 +27,8 @@ template <class Reader>
 io::Model promised(const std::string& files, Reader&& reader) {
   try {
     return reader();
+  } catch (const io::BrokenLaw&) {
+    throw;
   } catch (const BrokenPromise& e) {
     throw BrokenPromise(fmt::format("{}: {}", files, e.what()));
   }

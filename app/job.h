@@ -21,6 +21,8 @@ class Job {
   }
 
   const io::Model& model() const { return model_; }
+  /// Puts another system in the place of the model's: its approximation.
+  void replace(System system) { model_.system = std::move(system); }
   const io::Timings& timings() const { return timings_; }
 
   /// The result of `work` on the system, second or first order; its time counts as solving.

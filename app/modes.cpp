@@ -4,6 +4,7 @@
 #include "verbs.h"
 
 #include "gyromode/modes/modes.h"
+#include "gyromode/modes/spacecraft.h"
 
 #include <fmt/format.h>
 
@@ -21,10 +22,13 @@ struct Options {
   bool all = false;
   bool shapes = false;
   std::string method = "auto";
+  std::optional<Index> elements;
 };
 
-dense::Method method_named(const std::string& name) {
-  if (name == "auto") return dense::Method::automatic;
+constexpr Index lowest_of_a_spacecraft = 10;
+
+dense::Method method_named(const std::string& name, bool spacecraft) {
+  if (name == "auto" || (spacecraft && (name == "exact" || name == "discrete"))) return dense::Method::automatic;
   if (name == "quadrature") return dense::Method::quadrature;
   if (name == "general") return dense::Method::general;
   if (name == "first-order") return dense::Method::first_order;
@@ -35,18 +39,37 @@ dense::Method method_named(const std::string& name) {
                                                    : "is not part of this version"));
 }
 
+ModesResult solved(Job& job, const Options& o, ModesOptions options) {
+  const auto* craft = std::get_if<Spacecraft>(&job.model().system);
+  options.method = method_named(o.method, craft != nullptr);
+  if (!craft) {
+    if (o.elements) throw UsageError("--elements belongs to --method discrete of a spacecraft model");
+    return job.solve([&](const auto& system) { return find_modes(system, options); });
+  }
+  if (o.elements && o.method != "discrete") throw UsageError("--elements belongs to --method discrete");
+  if (o.all && o.method != "discrete") {
+    throw UsageError("--all: a spacecraft with exact booms has infinitely many modes; give --below W, --window A:B or --lowest N");
+  }
+  if (!o.all && !o.window.given() && !options.lowest) options.lowest = lowest_of_a_spacecraft;
+  if (options.window.open() && !options.lowest && o.method != "discrete") throw UsageError("--window: a spacecraft with exact booms has infinitely many modes; the upper end is needed");
+  if (o.method != "discrete") return job.solve([&](const auto& system) { return find_modes(system, options); });
+  const Mesh mesh{o.elements.value_or(Mesh{}.elements), 1};
+  const Spacecraft spacecraft = *craft;
+  job.replace(discretise(spacecraft, mesh));
+  return job.solve([&](const auto&) { return find_modes(spacecraft, mesh, options); });
+}
+
 int run(const Options& o) {
   Job job(o.source, o.output);
   ModesOptions options;
-  options.method = method_named(o.method);
   options.window = o.window.read();
   options.lowest = o.lowest;
   options.shapes = o.shapes;
   options.structure = o.source.structure();
-  const ModesResult result = job.solve([&](const auto& system) { return find_modes(system, options); });
+  const ModesResult result = solved(job, o, options);
   o.output.write(document(job.model(), result, job.timings(), o.output.chosen()));
   const Coverage& c = result.coverage;
-  if (c.window.a != c.requested.a || (c.window.b != c.requested.b && !o.lowest)) {
+  if (c.window.a != c.requested.a || (c.window.b != c.requested.b && !c.requested.open())) {
     o.output.say(fmt::format("an end of the window falls on a mode: [{:.17g}, {:.17g}) rad/s was used", c.window.a, c.window.b));
   }
   if (o.lowest && static_cast<Index>(result.modes.size()) > *o.lowest) {
@@ -66,20 +89,22 @@ void add_modes(CLI::App& program, int& code) {
   auto o = std::make_shared<Options>();
   o->source.add_to(*verb);
   auto* lowest = verb->add_option("--lowest", o->lowest, "Only the N lowest that are not rigid-body modes")->type_name("N")->check(CLI::PositiveNumber);
-  auto* all = verb->add_flag("--all", o->all, "All modes (the default for dense models)");
+  auto* all = verb->add_flag("--all", o->all, "All modes (the default for matrices; a spacecraft has infinitely many, and its default is --lowest 10)");
   o->window.add_to(*verb);
   for (const char* name : {"--below", "--window"}) {
     lowest->excludes(verb->get_option(name));
     all->excludes(verb->get_option(name));
   }
   all->excludes(lowest);
-  verb->add_option("--method", o->method, "auto, quadrature, general, first-order or symmetric-2n (the two classical 2n methods)")
+  verb->add_option("--method", o->method, "Matrices: auto, quadrature, general, first-order, symmetric-2n (the two classical 2n methods); spacecraft: exact, or discrete (finite elements, to compare)")
       ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "quadrature", "hidden", "general", "first-order", "symmetric-2n", "exact", "discrete"}))
       ->capture_default_str();
+  verb->add_option("--elements", o->elements, "Linear elements a cable of --method discrete (default 50)")->type_name("N")->check(CLI::Range(1, 2000));
   verb->add_flag("--shapes", o->shapes, "With the mode shapes: motion is Re(X e^{jωt}), largest entry 1");
   o->output.add_to(*verb);
   verb->footer("Examples:\n  gyromode modes models/three_springs.toml --shapes\n  gyromode modes models/wiresaw.toml --lowest 3 --format json\n"
+                              "  gyromode modes models/geos.toml --below 40rpm\n  gyromode modes models/geos.toml --method discrete --elements 100\n"
                "  gyromode modes --mass M.mtx --gyroscopic G.mtx --stiffness K.mtx --window 1Hz:50Hz -o modes.csv");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
 }

@@ -4,6 +4,7 @@
 #include "verbs.h"
 
 #include "gyromode/modes/modes.h"
+#include "gyromode/modes/spacecraft.h"
 
 #include <memory>
 
@@ -21,6 +22,7 @@ int run(const Options& o) {
   o.source.remark_on_tolerance(o.output);
   ModesOptions options;
   options.structure = o.source.structure();
+  if (std::holds_alternative<Spacecraft>(job.model().system)) options.lowest = 1;  // the verdict needs no window
   const ModesResult result = job.solve([&](const auto& system) { return find_modes(system, options); });
   o.output.write(stability_document(job.model(), result, job.timings(), o.output.chosen()));
   if (result.stability != Stability::unknown) return done;

@@ -3,6 +3,7 @@
 #include "job.h"
 #include "verbs.h"
 
+#include "gyromode/modes/spacecraft.h"
 #include "gyromode/structure/definiteness.h"
 
 #include <memory>
@@ -23,15 +24,32 @@ Stiffness described(const System& s) {
   return {d.sign(), d.negative, d.zero};
 }
 Stiffness described(const FirstOrderSystem&) { return {}; }
+Stiffness described(const Spacecraft& s) {
+  ModesOptions options;
+  options.lowest = 1;
+  return find_modes(s, options).stiffness;
+}
+
+Spacecraft without_ignored_couplings(const Spacecraft& s, const StructureOptions&) { return s; }
+
+std::vector<EffectiveAxes> axes_of(const Spacecraft& s) {
+  constexpr Index lowest = 10;
+  return effective_axes(s, lowest);
+}
+template <class Matrices>
+std::vector<EffectiveAxes> axes_of(const Matrices&) {
+  return {};
+}
 
 int run(const Options& o) {
   Job job(o.source, o.output);
   const io::StructureReport report = job.solve([&](const auto& system) {
     io::StructureReport r;
     r.coupling_tolerance = o.source.coupling_tolerance;
-    r.stiffness_applies = std::is_same_v<std::decay_t<decltype(system)>, System>;
+    r.stiffness_applies = !std::is_same_v<std::decay_t<decltype(system)>, FirstOrderSystem>;
     r.structure = analyse(system, o.source.structure());
     r.stiffness = described(system);
+    r.effective_axes = axes_of(system);
     if (!o.at.empty()) r.at = transformation_at(without_ignored_couplings(system, o.source.structure()), r.structure, frequency_option("--at", o.at));
     return r;
   });

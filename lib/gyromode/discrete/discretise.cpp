@@ -87,12 +87,12 @@ void add_cable(QuadraticEnergy& e, const Cable& c, double centre, double spin, c
   if (c.tip_mass > 0) point(c.tip_mass, c.length, (mesh.elements - 1) * mesh.degree, tip);
 }
 
-void add_beam(QuadraticEnergy& e, const Beam& b, double centre, Numbering& n, Index beam, const Mesh& mesh) {
-  const double h = b.length / static_cast<double>(mesh.elements);
+void add_beam(QuadraticEnergy& e, const Beam& b, double centre, Numbering& n, Index beam, Index elements) {
+  const double h = b.length / static_cast<double>(elements);
   // Displacement and slope of each node in both planes; the root is clamped.
   std::vector<std::array<Index, 2>> node[2];
   for (int plane = 0; plane < 2; ++plane) node[plane].push_back({-1, -1});
-  for (Index k = 1; k <= mesh.elements; ++k) {
+  for (Index k = 1; k <= elements; ++k) {
     for (int plane = 0; plane < 2; ++plane) {
       node[plane].push_back({n.take(fmt::format("beam{}.u{}.{}", beam, plane + 1, k)), n.take(fmt::format("beam{}.slope{}.{}", beam, plane + 1, k))});
     }
@@ -105,7 +105,7 @@ void add_beam(QuadraticEnergy& e, const Beam& b, double centre, Numbering& n, In
     }
     return f;
   };
-  for (Index k = 0; k < mesh.elements; ++k) {
+  for (Index k = 0; k < elements; ++k) {
     for (const auto& g : hermite_points(h)) {
       const double s = h * (static_cast<double>(k) + g.at);
       const LinearForm u[3] = {form(0, k, g.shape), form(1, k, g.shape), {}};
@@ -113,7 +113,7 @@ void add_beam(QuadraticEnergy& e, const Beam& b, double centre, Numbering& n, In
       for (int plane = 0; plane < 2; ++plane) e.add_stiffness(b.bending_stiffness[plane] * h * g.weight, form(plane, k, g.curvature));
     }
   }
-  const LinearForm tip[3] = {form(0, mesh.elements - 1, {0, 0, 1, 0}), form(1, mesh.elements - 1, {0, 0, 1, 0}), {}};
+  const LinearForm tip[3] = {form(0, elements - 1, {0, 0, 1, 0}), form(1, elements - 1, {0, 0, 1, 0}), {}};
   if (b.tip_mass > 0) e.add_point(b.tip_mass, Eigen::Vector3d(0, 0, b.root_height - centre + b.way() * b.length), tip);
 }
 
@@ -132,7 +132,7 @@ void add_masses(QuadraticEnergy& e, const Spacecraft& s, Numbering& n) {
 }
 
 Index coordinates_of(const Spacecraft& s, const Mesh& mesh) {
-  Index n = body + static_cast<Index>(s.cables().size()) * 2 * mesh.elements * mesh.degree + static_cast<Index>(s.beams().size()) * 4 * mesh.elements;
+  Index n = body + static_cast<Index>(s.cables().size()) * 2 * mesh.elements * mesh.degree + static_cast<Index>(s.beams().size()) * 4 * mesh.elements * mesh.degree;
   for (const SpringMass& m : s.masses()) n += m.stiffness.array().isFinite().count();
   return n;
 }
@@ -154,7 +154,7 @@ System discretise(const Spacecraft& s, const Mesh& mesh) {
     const CableNodes nodes = number_cable(n, static_cast<Index>(i) + 1, mesh);
     add_cable(e, s.cables()[i], s.centre(), s.spin(), nodes, mesh);
   }
-  for (std::size_t i = 0; i < s.beams().size(); ++i) add_beam(e, s.beams()[i], s.centre(), n, static_cast<Index>(i) + 1, mesh);
+  for (std::size_t i = 0; i < s.beams().size(); ++i) add_beam(e, s.beams()[i], s.centre(), n, static_cast<Index>(i) + 1, mesh.elements * mesh.degree);
   add_masses(e, s, n);
   const Matrix onto = -e.mass().topRightCorner(3, e.mass().cols() - 3) / s.rigid().mass;
   Matrix m = without_translation(e.mass(), onto), g = without_translation(e.gyroscopic(), onto), k = without_translation(e.stiffness(), onto);

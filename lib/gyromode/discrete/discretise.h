@@ -7,8 +7,8 @@ namespace gyromode {
 
 /// How finely.
 struct Mesh {
-  Index elements = 50;  ///< a boom
-  Index degree = 1;     ///< of the displacement in an element of a cable (Gauss–Lobatto nodes): errors of frequencies fall as elements^(−2 degree). Beams are cubic, ^(−4)
+  Index elements = 50;  ///< a cable; a beam has elements · degree, cubic
+  Index degree = 1;     ///< of the displacement in an element of a cable (Gauss–Lobatto nodes). Errors of frequencies fall as elements^(−2 degree), those of beams as ^(−4)
 };
 
 /// The spacecraft with its booms in finite elements, built from energies (QuadraticEnergy): M q̈ + G q̇ + K q = 0 in turning axes, K with θ3 free. Displacement of the body is eliminated

@@ -7,11 +7,12 @@
 
 namespace gyromode {
 
-CertifiedRoots::CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const Seeds& seeds)
+CertifiedRoots::CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const std::function<Seeds()>& seeds)
     : blocked_(impedance), static_(static_count(blocked_, free, cyclic, zeros)) {
   if (!needs_seeds()) return;
-  find_growing(seeds.growing);
-  find_negative(seeds.negative_energy);
+  const Seeds given = seeds();
+  find_growing(given.growing);
+  find_negative(given.negative_energy);
 }
 
 bool CertifiedRoots::needs_seeds() const {
@@ -66,6 +67,7 @@ void CertifiedRoots::find_growing(const std::vector<Complex>& seeds) {
 }
 
 Index CertifiedRoots::growing_count(Index block, double omega, Index count) const {
+  if (omega == 0) return static_.count[static_cast<std::size_t>(block)];
   Index passed = 0;
   for (const Root& r : negative_) passed += r.block == block && r.omega < omega ? 1 : 0;
   return count + 2 * passed;
@@ -85,7 +87,7 @@ Index CertifiedRoots::below(double omega) const {
   const Lifted lifted = blocked_.impedance.at(omega);
   Index sum = 0;
   for (std::size_t b = 0; b < blocked_.blocks.size(); ++b) {
-    const Index now = omega == 0 ? static_.count[b] : growing_count(static_cast<Index>(b), omega, state_of(blocked_.blocks[b], lifted).count);
+    const Index now = growing_count(static_cast<Index>(b), omega, state_of(blocked_.blocks[b], lifted).count);
     sum += (now - static_.count[b]) * blocked_.blocks[b].copies();
   }
   return sum;

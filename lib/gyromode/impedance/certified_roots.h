@@ -25,7 +25,8 @@ struct Seeds {
 /// and verified one by one, growing ones and those of negative energy, where J falls: then none of them is missing, and J with every fall taken back grows by one at every root.
 class CertifiedRoots {
  public:
-  CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const Seeds& seeds);
+  /// `seeds` is asked for only where the static stiffness is indefinite.
+  CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const std::function<Seeds()>& seeds);
 
   const BlockedImpedance& blocked() const { return blocked_; }
   const StaticCount& at_zero() const { return static_; }

@@ -3,6 +3,7 @@
 #include "gyromode/io/model.h"
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/result.h"
+#include "gyromode/modes/spacecraft.h"
 #include "gyromode/structure/transformation.h"
 
 #include <optional>
@@ -32,6 +33,7 @@ struct StructureReport {
   bool stiffness_applies = true;          ///< false for first-order models
   std::optional<Transformation> at;
   double coupling_tolerance = 0;
+  std::vector<EffectiveAxes> effective_axes;  ///< of spacecraft that axes 1 and 2 do not part into in phase and in quadrature
 };
 
 /// A result as text in the format asked for. JSON follows the public schemas (docs/results.md), 17 significant digits where needed.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gyromode/io/input_error.h"
+#include "gyromode/spacecraft/spacecraft.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/system.h"
 
@@ -17,24 +18,24 @@ namespace gyromode::io {
 struct KnownValues {
   std::vector<double> frequencies;   ///< rad/s, ascending
   std::string stability;             ///< a word of the verdict, or empty
-  std::string system_class;          ///< quadrature or general, or empty
+  std::string system_class;          ///< quadrature, general or transcendental, or empty
 };
 
 /// A model as read: the system, and where it comes from.
 struct Model {
   std::string title;
   std::string reference;
-  std::string kind;      ///< "matrices" or "first_order"
+  std::string kind;      ///< "matrices", "first_order" or "spacecraft"
   std::string sha256;    ///< of the model file followed by its matrix files, in the order M, G, K, per-spin ones (I, G)
-  std::variant<System, FirstOrderSystem> system;
-  std::optional<double> spin;  ///< rad/s, where the matrices depend on it
+  std::variant<System, FirstOrderSystem, Spacecraft> system;
+  std::optional<double> spin;  ///< rad/s, where the system depends on it
   KnownValues known;
 
   Index size() const;
   const Labels& labels() const;
 };
 
-/// Reads a TOML model of kind "matrices" or "first_order" (docs/model-files.md). Throws InputError (file, line, column, value and what was
+/// Reads a TOML model of kind "matrices", "first_order" or "spacecraft" (docs/model-files.md). Throws InputError (file, line, column, value and what was
 /// expected) for what cannot be read, BrokenPromise for what breaks a law.
 Model read_model(const std::filesystem::path& file);
 

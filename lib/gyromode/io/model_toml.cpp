@@ -1,6 +1,7 @@
 #include "gyromode/io/digest.h"
 #include "gyromode/io/matrix_market.h"
 #include "gyromode/io/model.h"
+#include "gyromode/io/spacecraft_toml.h"
 #include "gyromode/io/text_file.h"
 #include "gyromode/io/toml_table.h"
 #include "gyromode/system/promise.h"
@@ -21,7 +22,7 @@ constexpr std::array<std::string_view, 11> matrices_keys{"kind", "title", "refer
                                                          "gyroscopic_per_spin", "stiffness_per_spin2"};
 constexpr std::array<std::string_view, 7> first_order_keys{"kind", "title", "reference", "known", "labels", "inertia", "gyroscopic"};
 constexpr std::array<std::string_view, 3> known_keys{"frequencies", "stability", "class"};
-constexpr std::array<std::string_view, 2> kinds{"matrices", "first_order"};
+constexpr std::array<std::string_view, 3> kinds{"matrices", "first_order", "spacecraft"};
 
 // A matrix, square and of order n where n is known (0: not yet).
 std::optional<Matrix> matrix(const TomlTable& table, std::string_view key, Index& n, Digest& digest) {
@@ -56,7 +57,7 @@ void require_fitting_labels(const TomlTable& table, const Labels& labels, Index 
   }
 }
 
-std::variant<System, FirstOrderSystem> read_second_order(const TomlTable& table, Labels labels, std::optional<double>& spin, Digest& digest) {
+System read_second_order(const TomlTable& table, Labels labels, std::optional<double>& spin, Digest& digest) {
   Index n = 0;
   Matrix mass = required(matrix(table, "mass", n, digest), table, "mass");
   std::optional<Matrix> gyroscopic = matrix(table, "gyroscopic", n, digest);
@@ -78,7 +79,7 @@ std::variant<System, FirstOrderSystem> read_second_order(const TomlTable& table,
   return System(std::move(mass), std::move(g), std::move(k), std::move(labels));
 }
 
-std::variant<System, FirstOrderSystem> read_first_order(const TomlTable& table, Labels labels, Digest& digest) {
+FirstOrderSystem read_first_order(const TomlTable& table, Labels labels, Digest& digest) {
   Index n = 0;
   Matrix inertia = required(matrix(table, "inertia", n, digest), table, "inertia");
   Matrix g = required(matrix(table, "gyroscopic", n, digest), table, "gyroscopic");
@@ -101,7 +102,7 @@ KnownValues read_known(const TomlTable& table) {
   inner->allow_only(known_keys);
   known.frequencies = inner->numbers("frequencies");
   known.stability = one_of(*inner, "stability", {"stable", "gyroscopically_stabilised", "marginal", "unstable"});
-  known.system_class = one_of(*inner, "class", {"quadrature", "general"});
+  known.system_class = one_of(*inner, "class", {"quadrature", "general", "transcendental"});
   if (!std::is_sorted(known.frequencies.begin(), known.frequencies.end())) inner->fail("frequencies", "'frequencies' do not ascend: rad/s in ascending order were expected");
   return known;
 }
@@ -110,20 +111,36 @@ KnownValues read_known(const TomlTable& table) {
 
 Model read_model(const std::filesystem::path& file) { return parse_model(read_text(file, "TOML model"), file); }
 
-Model parse_model(std::string_view text, const std::filesystem::path& name) {
-  const TomlTable table(text, name);
-  const std::string kind = table.text("kind").value_or("");
-  if (kind.empty()) table.fail("key 'kind' is missing: kind = \"matrices\" or \"first_order\" was expected");
-  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
-    table.fail("kind", fmt::format("kind '{}' is not known to this version: 'matrices' or 'first_order' was expected", shown(kind)));
+namespace {
+
+using AnySystem = std::variant<System, FirstOrderSystem, Spacecraft>;
+
+AnySystem read_system(const TomlTable& table, const std::string& kind, std::optional<double>& spin, Digest& digest) {
+  if (kind == "spacecraft") {
+    Spacecraft s = read_spacecraft(table);
+    spin = s.spin();
+    return s;
   }
   const bool second_order = kind == "matrices";
   table.allow_only(second_order ? Keys(matrices_keys) : Keys(first_order_keys));
+  Labels labels = table.texts("labels");
+  if (second_order) return read_second_order(table, std::move(labels), spin, digest);
+  return read_first_order(table, std::move(labels), digest);
+}
+
+}  // namespace
+
+Model parse_model(std::string_view text, const std::filesystem::path& name) {
+  const TomlTable table(text, name);
+  const std::string kind = table.text("kind").value_or("");
+  if (kind.empty()) table.fail("key 'kind' is missing: kind = \"matrices\", \"first_order\" or \"spacecraft\" was expected");
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+    table.fail("kind", fmt::format("kind '{}' is not known to this version: 'matrices', 'first_order' or 'spacecraft' was expected", shown(kind)));
+  }
   Digest digest;
   digest.add(text);
-  Labels labels = table.texts("labels");
   std::optional<double> spin;
-  auto system = second_order ? read_second_order(table, std::move(labels), spin, digest) : read_first_order(table, std::move(labels), digest);
+  AnySystem system = read_system(table, kind, spin, digest);
   return {table.text("title").value_or(name.stem().string()), table.text("reference").value_or(""), kind, digest.sha256(), std::move(system), spin,
           read_known(table)};
 }

@@ -56,7 +56,7 @@ Json head(std::string_view schema, const Model& model, const Timings& timings) {
 Json structure_facts(const Model& model, const Structure& s, const Stiffness& k, bool has_stiffness) {
   const bool quadrature = s.system_class() == SystemClass::quadrature;
   Json j;
-  j["class"] = quadrature ? "quadrature" : "general";
+  j["class"] = std::holds_alternative<Spacecraft>(model.system) ? "transcendental" : quadrature ? "quadrature" : "general";
   j["in_phase"] = quadrature ? labels_of(model.labels(), s.in_phase()) : Json::array();
   j["quadrature"] = quadrature ? labels_of(model.labels(), s.in_quadrature()) : Json::array();
   if (has_stiffness) {
@@ -82,6 +82,7 @@ Json mode_json(const Model& model, const Mode& m) {
   j["multiplicity"] = m.multiplicity;
   j["residual"] = number(m.residual);
   j["error_bound"] = number(m.error_bound);
+  if (m.bracket) j["bracket"] = *m.bracket;
   if (m.shape.size() > 0) {
     const Vector re = m.shape.real();
     const Vector im = m.shape.imag();
@@ -151,6 +152,10 @@ std::string structure_json(const Model& model, const StructureReport& r, const T
     checks["symmetry_errors"] = {{"mass", e.mass}, {"gyroscopic", e.gyroscopic}, {"stiffness", e.stiffness}};
     checks["scales"] = {{"mass", s->mass().cwiseAbs().maxCoeff()}, {"gyroscopic", s->gyroscopic().cwiseAbs().maxCoeff()}, {"stiffness", s->stiffness().cwiseAbs().maxCoeff()}};
     checks["mass_trace"] = s->mass().trace();
+  } else if (const auto* craft = std::get_if<Spacecraft>(&model.system)) {
+    checks["mass"] = craft->rigid().mass;
+    checks["centre_height"] = craft->centre();
+    checks["inertia"] = rows_of(craft->rigid().inertia());
   } else {
     const auto& f = std::get<FirstOrderSystem>(model.system);
     checks["symmetry_errors"] = {{"inertia", f.symmetry_errors().inertia}, {"gyroscopic", f.symmetry_errors().gyroscopic}};
@@ -158,6 +163,10 @@ std::string structure_json(const Model& model, const StructureReport& r, const T
   }
   checks["coupling_tolerance"] = r.coupling_tolerance;
   j["checks"] = std::move(checks);
+  if (!r.effective_axes.empty()) {
+    j["effective_axes"] = Json::array();
+    for (const EffectiveAxes& e : r.effective_axes) j["effective_axes"].push_back({{"omega", e.omega}, {"psi", e.angle}});
+  }
   if (r.at) {
     j["at"] = {{"omega", r.at->omega}, {"H", complex_rows(r.at->impedance)}, {"transformation", complex_rows(r.at->unitary)}, {"H_star", rows_of(r.at->real_symmetric)}};
   }

@@ -49,7 +49,11 @@ std::string stiffness_words(const Stiffness& k) {
   return fmt::format("K indefinite, {} negative{}", k.negative, k.zero > 0 ? fmt::format(" and {} zero", k.zero) : "");
 }
 
-std::string class_words(const Structure& s) {
+std::string class_words(const Model& model, const Structure& s) {
+  if (std::holds_alternative<Spacecraft>(model.system)) {
+    return fmt::format("transcendental (exact booms), {}", s.system_class() == SystemClass::quadrature ? "quadrature: every mode moves partly in phase, partly in quadrature"
+                                                                                                         : "fully complex: phases differ from mode to mode");
+  }
   return s.system_class() == SystemClass::quadrature ? "quadrature: every mode moves partly in phase, partly in quadrature"
                                                       : "general: phases differ from mode to mode";
 }
@@ -94,15 +98,18 @@ std::string frequency_table(const std::vector<Mode>& modes, Format format) {
 }
 
 std::string shape_table(const Model& model, const std::vector<Mode>& modes, Format format) {
+  constexpr Index most_columns = 12;
+  const Index shown = std::min<Index>(model.size(), most_columns);
   std::vector<std::string> head{"#"};
-  for (const std::string& label : model.labels()) head.push_back(label);
+  for (Index i = 0; i < shown; ++i) head.push_back(model.labels()[static_cast<std::size_t>(i)]);
   Grid grid(head);
   for (std::size_t k = 0; k < modes.size(); ++k) {
     std::vector<std::string> row{fmt::format("{}", k + 1)};
-    for (const Complex& z : modes[k].shape) row.push_back(complex_cell(z));
+    for (Index i = 0; i < shown; ++i) row.push_back(complex_cell(modes[k].shape(i)));
     grid.add(std::move(row));
   }
-  return written(grid, format);
+  const std::string rest = shown < model.size() ? fmt::format("(the first {} of {} coordinates; all of them with --format json or csv)\n", shown, model.size()) : "";
+  return written(grid, format) + rest;
 }
 
 std::string unstable_table(const std::vector<UnstableMode>& modes, Format format) {
@@ -119,14 +126,14 @@ std::string balance_words(const IndexBalance& b) {
 }
 
 std::string model_line(const Model& model) {
-  return fmt::format("{} ({}, {})", model.title, plural(model.size(), "coordinate"), model.kind == "first_order" ? "first order" : "M, G, K in turning axes");
+  return fmt::format("{} ({}, {})", model.title, plural(model.size(), "coordinate"), model.kind == "first_order" ? "first order" : std::holds_alternative<Spacecraft>(model.system) ? "of the body, exact booms; turning axes" : "M, G, K in turning axes");
 }
 
 }  // namespace
 
 std::string modes_text(const Model& model, const ModesResult& r, Format format) {
   std::string out = heading(format, model_line(model));
-  out += fact(format, "class", class_words(r.structure) + (r.first_order ? "" : "; " + stiffness_words(r.stiffness)));
+  out += fact(format, "class", class_words(model, r.structure) + (r.first_order ? "" : "; " + stiffness_words(r.stiffness)));
   if (r.structure.largest_ignored_coupling > 0) {
     out += fact(format, "ignored", fmt::format("couplings up to {:.2g} of the largest entry were left out, as asked", r.structure.largest_ignored_coupling));
   }
@@ -152,12 +159,12 @@ std::string count_text(const Model& model, const CountResult& r, Format format) 
 std::string structure_text(const Model& model, const StructureReport& r, Format format) {
   const Structure& s = r.structure;
   std::string out = heading(format, model_line(model));
-  out += fact(format, "class", class_words(s));
+  out += fact(format, "class", class_words(model, s));
   if (s.system_class() == SystemClass::quadrature) {
     out += fact(format, "in phase", joined(model.labels(), s.in_phase()));
     out += fact(format, "quadrature", joined(model.labels(), s.in_quadrature()));
     out += fact(format, "H*", "T = diag(1 in phase, −j in quadrature) makes H(ω) real symmetric at every ω");
-  } else if (const auto w = s.witness()) {
+  } else if (const auto w = s.witness(); w && !w->kinds.empty()) {
     out += fact(format, "why not", "a closed walk with an odd number of G couplings: " + witness_walk(model.labels(), *w));
   }
   if (r.stiffness_applies) out += fact(format, "stiffness", stiffness_words(r.stiffness));
@@ -172,6 +179,12 @@ std::string structure_text(const Model& model, const StructureReport& r, Format 
       grid.add({fmt::format("{}", c + 1), joined(model.labels(), s.components[c].coordinates), s.components[c].quadrature() ? "quadrature" : "general"});
     }
     out += "\n" + written(grid, format);
+  }
+  if (!r.effective_axes.empty()) {
+    Grid grid({"ω [rad/s]", "ψ [°]"});
+    for (const EffectiveAxes& e : r.effective_axes) grid.add({fmt::format("{:.10g}", e.omega), fmt::format("{:.8g}", e.angle * 180 / std::numbers::pi)});
+    out += "\nψ: from axis 1 to the principal axis of the effective inertia of hub and booms at the frequency of each mode;\n   about it rotations are in phase, across it in quadrature\n" +
+           written(grid, format);
   }
   if (r.at) {
     std::vector<std::string> head{fmt::format("H*({:.6g} rad/s)", r.at->omega)};

@@ -3,7 +3,6 @@
 #include "gyromode/io/matrix_market.h"
 #include "gyromode/io/nearest.h"
 #include "gyromode/io/text_file.h"
-#include "gyromode/io/unit.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -129,6 +128,65 @@ std::optional<double> TomlTable::frequency(std::string_view key) const {
   return value;
 }
 
+namespace {
+
+double quantity_of(const std::filesystem::path& file, const toml::node& node, const std::string& what, Dimension dimension, bool infinite) {
+  if (infinite && node.is_floating_point() && std::isinf(*node.value<double>()) && *node.value<double>() > 0) return *node.value<double>();
+  if (node.is_number()) return finite_number(file, node, what);
+  if (!node.is_string()) fail_at(file, node, fmt::format("{} is {}: {} was expected", what, type_word(node), form_of(dimension)));
+  const std::string written = *node.value<std::string>();
+  const auto value = parse_quantity(written, dimension);
+  if (!value) fail_at(file, node, fmt::format("{} = \"{}\": {} was expected", what, shown(written), form_of(dimension)));
+  return *value;
+}
+
+}  // namespace
+
+std::optional<double> TomlTable::quantity(std::string_view key, Dimension dimension) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  return quantity_of(content_->file, *node, fmt::format("'{}'", key), dimension, false);
+}
+
+std::vector<double> TomlTable::quantities(std::string_view key, Dimension dimension, std::size_t count, bool infinite) const {
+  std::vector<double> all;
+  const toml::node* node = content_->table.get(key);
+  if (!node) return all;
+  const toml::array* items = node->as_array();
+  if (!items) fail(key, fmt::format("'{}' is {}: {} values were expected, [ … ]", key, type_word(*node), count));
+  if (items->size() != count) fail(key, fmt::format("'{}' has {} values: {} were expected", key, items->size(), count));
+  for (std::size_t i = 0; i < count; ++i) all.push_back(quantity_of(content_->file, *items->get(i), fmt::format("value {} of '{}'", i + 1, key), dimension, infinite));
+  return all;
+}
+
+std::optional<Matrix> TomlTable::diagonal_or_matrix(std::string_view key, Dimension dimension, std::size_t count) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  const toml::array* items = node->as_array();
+  if (items && !items->empty() && items->get(0)->is_array()) {
+    const Matrix rows = inline_rows(content_->file, *items, key);
+    if (rows.rows() != static_cast<Index>(count) || rows.cols() != rows.rows()) {
+      fail(key, fmt::format("'{}' is {} × {}: {} values or {} × {} were expected", key, rows.rows(), rows.cols(), count, count, count));
+    }
+    return rows;
+  }
+  const std::vector<double> diagonal = quantities(key, dimension, count);
+  return Matrix(Eigen::Map<const Vector>(diagonal.data(), static_cast<Index>(count)).asDiagonal());
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  std::vector<TomlTable> all;
+  const toml::node* node = content_->table.get(key);
+  if (!node) return all;
+  const toml::array* items = node->as_array();
+  if (!items) fail(key, fmt::format("'{}' is {}: tables [[{}]] were expected", key, type_word(*node), key));
+  for (const toml::node& item : *items) {
+    if (!item.is_table()) fail_at(content_->file, item, fmt::format("an item of '{}' is {}: a table [[{}]] was expected", key, type_word(item), key));
+    all.push_back(TomlTable(std::make_shared<const Content>(Content{content_->document, *item.as_table(), content_->file})));
+  }
+  return all;
+}
+
 std::optional<TomlTable> TomlTable::table(std::string_view key) const {
   const toml::node* node = content_->table.get(key);
   if (!node) return std::nullopt;
@@ -152,6 +210,11 @@ std::optional<Matrix> TomlTable::matrix(std::string_view key, Digest& digest) co
 }
 
 void TomlTable::fail(std::string_view key, const std::string& message) const { fail_at(content_->file, *content_->table.get(key), message); }
+void TomlTable::break_law(std::string_view key, const std::string& law) const {
+  const toml::node* node = content_->table.get(key);
+  const auto& at = (node ? node->source() : content_->table.source()).begin;
+  throw BrokenLaw(InputError(content_->file, at.line, at.column, law).what());
+}
 void TomlTable::fail(const std::string& message) const {
   const std::size_t line = content_->table.source().begin.line;
   throw InputError(content_->file, line, 0, message);

@@ -2,7 +2,9 @@
 
 #include "gyromode/io/digest.h"
 #include "gyromode/io/input_error.h"
+#include "gyromode/io/unit.h"
 #include "gyromode/lapack/types.h"
+#include "gyromode/system/promise.h"
 
 #include <filesystem>
 #include <memory>
@@ -13,6 +15,12 @@
 #include <vector>
 
 namespace gyromode::io {
+
+/// A broken promise of which the file, line and column are known; what() starts with them.
+class BrokenLaw : public BrokenPromise {
+ public:
+  using BrokenPromise::BrokenPromise;
+};
 
 /// A table of a TOML file (toml++) that knows where every value stands: each getter returns nothing for a missing key and throws InputError with
 /// line, column, value and expectation for one of the wrong type or unit.
@@ -28,12 +36,21 @@ class TomlTable {
   std::vector<std::string> texts(std::string_view key) const;  ///< empty for a missing key
   std::vector<double> numbers(std::string_view key) const;     ///< finite; empty for a missing key
   std::optional<double> frequency(std::string_view key) const; ///< rad/s; a number or a string with a unit
+  /// A number in SI or a string with a unit of the dimension; finite.
+  std::optional<double> quantity(std::string_view key, Dimension dimension) const;
+  /// `count` of them in an array; `infinite`: inf is allowed. Empty for a missing key.
+  std::vector<double> quantities(std::string_view key, Dimension dimension, std::size_t count, bool infinite = false) const;
+  /// `count` of them, or as many rows of as many.
+  std::optional<Matrix> diagonal_or_matrix(std::string_view key, Dimension dimension, std::size_t count) const;
   std::optional<TomlTable> table(std::string_view key) const;
+  std::vector<TomlTable> tables(std::string_view key) const;  ///< [[key]], in order; empty for a missing key
   /// A Matrix Market file, whose bytes are added to the digest, or rows of finite numbers.
   std::optional<Matrix> matrix(std::string_view key, Digest& digest) const;
 
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;  ///< at the value of a key
   [[noreturn]] void fail(const std::string& message) const;                        ///< at the table
+  /// Throws BrokenLaw at the value of a key, or at the table where the key is missing.
+  [[noreturn]] void break_law(std::string_view key, const std::string& law) const;
 
  private:
   struct Content;

@@ -2,9 +2,9 @@
 
 #include "gyromode/io/number.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace gyromode::io {
 
@@ -16,15 +16,35 @@ struct Unit {
 };
 
 constexpr double pi = std::numbers::pi;
-constexpr std::array<Unit, 9> frequency_units{{{"", 1},
-                                               {"rad/s", 1},
-                                               {"Hz", 2 * pi},
-                                               {"kHz", 2000 * pi},
-                                               {"rpm", pi / 30},
-                                               {"krpm", 1000 * pi / 30},
-                                               {"rev/s", 2 * pi},
-                                               {"1/s", 1},
-                                               {"deg/s", pi / 180}}};
+constexpr Unit frequency_units[] = {{"", 1},
+                                    {"rad/s", 1},
+                                    {"Hz", 2 * pi},
+                                    {"kHz", 2000 * pi},
+                                    {"rpm", pi / 30},
+                                    {"krpm", 1000 * pi / 30},
+                                    {"rev/s", 2 * pi},
+                                    {"1/s", 1},
+                                    {"deg/s", pi / 180}};
+constexpr Unit length_units[] = {{"", 1}, {"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"km", 1e3}};
+constexpr Unit angle_units[] = {{"", 1}, {"rad", 1}, {"deg", pi / 180}, {"°", pi / 180}};
+constexpr Unit mass_units[] = {{"", 1}, {"kg", 1}, {"g", 1e-3}, {"t", 1e3}};
+constexpr Unit line_density_units[] = {{"", 1}, {"kg/m", 1}, {"g/m", 1e-3}, {"kg/km", 1e-3}};
+constexpr Unit inertia_units[] = {{"", 1}, {"kg m²", 1}, {"kg m2", 1}, {"kg m^2", 1}};
+constexpr Unit stiffness_units[] = {{"", 1}, {"N/m", 1}, {"N/mm", 1e3}, {"kN/m", 1e3}};
+constexpr Unit bending_units[] = {{"", 1}, {"N m²", 1}, {"N m2", 1}, {"N m^2", 1}};
+
+std::span<const Unit> units_of(Dimension d) {
+  switch (d) {
+    case Dimension::length: return length_units;
+    case Dimension::angle: return angle_units;
+    case Dimension::mass: return mass_units;
+    case Dimension::line_density: return line_density_units;
+    case Dimension::inertia: return inertia_units;
+    case Dimension::stiffness: return stiffness_units;
+    case Dimension::bending_stiffness: return bending_units;
+    default: return frequency_units;
+  }
+}
 
 std::string_view trimmed(std::string_view s) {
   constexpr std::string_view blanks = " \t";
@@ -47,19 +67,34 @@ std::size_t number_length(std::string_view s) {
 
 }  // namespace
 
-std::optional<double> parse_frequency(std::string_view text) {
+std::optional<double> parse_quantity(std::string_view text, Dimension dimension) {
   const std::string_view s = trimmed(text);
   const std::size_t length = number_length(s);
   const Parsed number = parse_real(s.substr(0, length));
   if (number.outcome != Parsed::ok) return std::nullopt;
   const std::string_view name = trimmed(s.substr(length));
-  for (const Unit& unit : frequency_units) {
+  for (const Unit& unit : units_of(dimension)) {
     if (unit.name == name) {
       const double value = number.value * unit.si;
       return std::isfinite(value) ? std::optional(value) : std::nullopt;
     }
   }
   return std::nullopt;
+}
+
+std::optional<double> parse_frequency(std::string_view text) { return parse_quantity(text, Dimension::frequency); }
+
+std::string_view form_of(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::length: return "a number in m, or one with a unit: m, mm, cm, km";
+    case Dimension::angle: return "a number in rad, or one with a unit: rad, deg, °";
+    case Dimension::mass: return "a number in kg, or one with a unit: kg, g, t";
+    case Dimension::line_density: return "a number in kg/m, or one with a unit: kg/m, g/m, kg/km";
+    case Dimension::inertia: return "a number in kg m², or one with the unit: kg m², kg m2, kg m^2";
+    case Dimension::stiffness: return "a number in N/m, or one with a unit: N/m, N/mm, kN/m";
+    case Dimension::bending_stiffness: return "a number in N m², or one with the unit: N m², N m2, N m^2";
+    default: return frequency_form;
+  }
 }
 
 }  // namespace gyromode::io

@@ -2,6 +2,7 @@
 
 #include "gyromode/modes/components.h"
 #include "gyromode/modes/coverage.h"
+#include "gyromode/modes/shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,28 +11,6 @@
 namespace gyromode {
 
 namespace {
-
-// Largest entry 1, the first of ties (within rounding); a partition keeps the other parts exactly zero.
-ComplexVector normalised(ComplexVector x) {
-  const Vector size = x.cwiseAbs();
-  const double largest = size.maxCoeff();
-  if (!(largest > 0)) return x;
-  constexpr double tie = 1e-12;
-  Index at = 0;
-  while (size(at) < (1 - tie) * largest) ++at;
-  const Complex pivot = x(at);
-  // Dividing by a real or an imaginary number must not mix the parts.
-  if (pivot.imag() == 0) {
-    x /= pivot.real();
-  } else if (pivot.real() == 0) {
-    for (Complex& z : x) z = Complex(z.imag() / pivot.imag(), -z.real() / pivot.imag());
-  } else {
-    x /= pivot;
-  }
-  x(at) = 1;
-  for (Complex& z : x) z = Complex(z.real() + 0.0, z.imag() + 0.0);  // −0 becomes 0
-  return x;
-}
 
 ComplexVector full_shape(const SolvedSystem& s, const dense::Spectrum& spectrum, const ComplexVector& part) {
   ComplexVector x = ComplexVector::Zero(s.size);

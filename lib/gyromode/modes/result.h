@@ -4,6 +4,7 @@
 #include "gyromode/modes/window.h"
 #include "gyromode/structure/structure.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,7 +12,8 @@
 
 namespace gyromode {
 
-/// `rigid_body`: a zero mode of K ≥ 0 (a constant solution, in first order). `local`: the kept coordinates of a condensed model take no part.
+/// `rigid_body`: a zero mode of K ≥ 0 (a constant solution, in first order); of a spacecraft spin phase, axial translation and tilt of the momentum axis. `local`: the kept coordinates
+/// of a condensed model, or the body of a spacecraft, take no part.
 enum class ModeKind { vibration, rigid_body, local };
 std::string_view word(ModeKind kind);
 
@@ -23,6 +25,7 @@ struct Mode {
   Index multiplicity = 1;
   double residual = 0;           ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂)
   double error_bound = 0;        ///< on |δω|, to first order
+  std::optional<std::array<double, 2>> bracket;  ///< [lo, hi] between which a count proves the root, where there is one
   ComplexVector shape;           ///< empty unless asked for; largest entry 1 (the first of ties), n entries in the order of the labels
 };
 
@@ -60,6 +63,7 @@ struct ModesResult {
   Stiffness stiffness;
   std::string path;                    ///< one line: which solver served each component, and why
   bool first_order = false;
+  bool transcendental = false;         ///< of a spacecraft with exact booms: infinitely many modes
   Stability stability = Stability::unknown;
   IndexBalance index_balance;
   double opposite_gap = 0;             ///< smallest relative distance of roots of opposite energy sign; infinite where there is none

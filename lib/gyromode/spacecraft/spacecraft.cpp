@@ -25,7 +25,7 @@ double total_first_moment(const Spacecraft& s) {
 
 }  // namespace
 
-const Labels& Spacecraft::labels() {
+const Labels& Spacecraft::labels() const {
   static const Labels all{"zeta1", "zeta2", "zeta3", "theta1", "theta2", "theta3"};
   return all;
 }

@@ -47,7 +47,7 @@ class Spacecraft {
   double centre() const { return centre_; }
 
   /// zeta1 zeta2 zeta3 (displacement of P, m, in turning axes), theta1 theta2 theta3 (rotation vector of the body).
-  static const Labels& labels();
+  const Labels& labels() const;
   Index size() const { return 6; }
 
  private:

@@ -1,5 +1,10 @@
 #include "gyromode/spacecraft/spacecraft_impedance.h"
 
+#include "gyromode/appendage/hub_impedance.h"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -46,6 +51,21 @@ std::vector<std::vector<Cable>> groups_of(const std::vector<Cable>& cables) {
   return groups;
 }
 
+Index neutral_patterns_of(const std::vector<Cable>& cables) {
+  Matrix felt(4, 0);
+  for (const Cable& c : cables) {
+    if (c.radius != 0) continue;
+    const Eigen::Vector3d e = c.direction();
+    felt.conservativeResize(4, felt.cols() + 1);
+    felt.rightCols(1) << -c.first_moment() * e(1), c.first_moment() * e(0), -c.first_moment() * c.height * e(1), c.first_moment() * c.height * e(0);
+  }
+  if (felt.cols() == 0) return 0;
+  for (Index i = 0; i < 4; ++i) felt.row(i).normalize();
+  Eigen::ColPivHouseholderQR<Matrix> qr(felt);
+  qr.setThreshold(1e-12);
+  return felt.cols() - qr.rank();
+}
+
 double tilt_scale(double omega) { return 1 / std::sqrt(1 + omega * omega); }
 double tilt_scale(const Complex&) { return 1; }  // analytic
 
@@ -56,10 +76,10 @@ SpacecraftImpedance::SpacecraftImpedance(const Spacecraft& s) : spin_(s.spin()),
   length_ = std::sqrt(j(2, 2) / mass_);
   inertia_ = j / j(2, 2);
   const Units units{mass_, length_, 1 / spin_};
+  neutral_patterns_ = neutral_patterns_of(s.cables());
   for (const auto& group : groups_of(s.cables())) {
     std::vector<Cable> scaled;
     for (const Cable& c : group) scaled.push_back(units.of(c, s.centre()));
-    if (group.front().radius == 0) cables_on_axis_ += static_cast<Index>(group.size());
     take(std::make_unique<CableGroup>(std::move(scaled), 1));
   }
   for (const Beam& b : s.beams()) take(std::make_unique<BeamAppendage>(units.of(b, s.centre()), 1));
@@ -124,6 +144,27 @@ ComplexVector SpacecraftImpedance::body_motion(double omega, const ComplexVector
   q(4) = scale * x(4);
   q(5) = x(5) / omega;
   return q;
+}
+
+ComplexMatrix SpacecraftImpedance::hub(double omega) const {
+  const double w = omega / spin_;
+  Lifted l = at(w);
+  l.matrix.middleRows<2>(3) /= tilt_scale(w);
+  l.matrix.middleCols<2>(3) /= tilt_scale(w);
+  HubMatrix t = body_coordinates_of(w, 1);
+  for (Index i = 0; i < 3; ++i) t.col(i) /= length_;
+  return mass_ * length_ * length_ * spin_ * spin_ * (t.adjoint() * condensed(l) * t);
+}
+
+Eigen::Matrix2cd SpacecraftImpedance::tilt(double omega) const {
+  const ComplexMatrix h = at(omega).matrix;
+  const std::vector<Index> kept{3, 4};
+  std::vector<Index> others;
+  for (Index i = 0; i < size_; ++i) {
+    if (i != 3 && i != 4) others.push_back(i);
+  }
+  const ComplexMatrix border = h(others, kept);
+  return h(kept, kept) - border.adjoint() * ComplexMatrix(h(others, others)).fullPivLu().solve(border);
 }
 
 }  // namespace gyromode

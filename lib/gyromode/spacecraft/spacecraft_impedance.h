@@ -21,6 +21,10 @@ class SpacecraftImpedance : public LiftedImpedance {
 
   /// Displacement (ζ, θ) of body and reference point, in m and rad, for a null vector at the dimensionless frequency ω.
   ComplexVector body_motion(double omega, const ComplexVector& null_vector) const;
+  /// H(ω) on (ζ, θ), in SI, at ω in rad/s.
+  ComplexMatrix hub(double omega) const;
+  /// H(ω) on (θ1, θ2), everything else eliminated, dimensionless.
+  Eigen::Matrix2cd tilt(double omega) const;
   double unit_frequency() const { return spin_; }
   double unit_length() const { return length_; }
 
@@ -30,8 +34,12 @@ class SpacecraftImpedance : public LiftedImpedance {
   };
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// Cables on the spin axis (radius 0) leave the hub alone in plane: zero modes beyond those of the body.
-  Index cables_on_axis() const { return cables_on_axis_; }
+  /// Coordinates that nothing holds: ξ1, ξ2, ξ3, φ3. Of them φ3 is coupled to others through G.
+  static std::vector<Index> free_coordinates() { return {0, 1, 2, 5}; }
+  static std::vector<Index> cyclic_coordinates() { return {5}; }
+  /// Pairs of zero roots beyond spin phase and axial translation: wires hinged on the axis (radius 0) turn about it for themselves, in all patterns that leave the mass centre and the
+  /// body's tilt at rest.
+  Index neutral_patterns() const { return neutral_patterns_; }
 
  private:
   template <class T>
@@ -42,8 +50,7 @@ class SpacecraftImpedance : public LiftedImpedance {
   Eigen::Matrix3d inertia_;  // about P, dimensionless
   std::vector<Part> parts_;
   Index size_ = body_coordinates;
-  Index cables_on_axis_ = 0;
-  double longest_wave_ = 0;  // κ-like measures for rounding()
+  Index neutral_patterns_ = 0;
 };
 
 }  // namespace gyromode

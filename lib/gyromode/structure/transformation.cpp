@@ -26,18 +26,18 @@ Transformation by_householder(double omega, const ComplexMatrix& h) {
   return {omega, h, t.matrixQ(), star};
 }
 
-Transformation transformed(double omega, const ComplexMatrix& h, const Structure& structure) {
+}  // namespace
+
+Transformation transformation_of(const ComplexMatrix& h, const Structure& structure, double omega) {
   return structure.system_class() == SystemClass::quadrature ? constant(omega, h, structure) : by_householder(omega, h);
 }
 
-}  // namespace
-
 Transformation transformation_at(const System& system, const Structure& structure, double omega) {
-  return transformed(omega, system.impedance(omega), structure);
+  return transformation_of(system.impedance(omega), structure, omega);
 }
 
 Transformation transformation_at(const FirstOrderSystem& system, const Structure& structure, double omega) {
-  return transformed(omega, system.impedance(omega), structure);
+  return transformation_of(system.impedance(omega), structure, omega);
 }
 
 }  // namespace gyromode

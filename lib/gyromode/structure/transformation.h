@@ -17,4 +17,7 @@ struct Transformation {
 Transformation transformation_at(const System& system, const Structure& structure, double omega);
 Transformation transformation_at(const FirstOrderSystem& system, const Structure& structure, double omega);
 
+/// The same for any Hermitian H, n × n, of which the structure is known.
+Transformation transformation_of(const ComplexMatrix& impedance, const Structure& structure, double omega);
+
 }  // namespace gyromode

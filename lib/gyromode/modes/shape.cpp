@@ -1,0 +1,36 @@
+#include "gyromode/modes/shape.h"
+
+namespace gyromode {
+
+namespace {
+
+Index position_of_largest(const ComplexVector& x) {
+  const Vector size = x.cwiseAbs();
+  constexpr double tie = 1e-12;
+  Index at = 0;
+  while (size(at) < (1 - tie) * size.maxCoeff()) ++at;
+  return at;
+}
+
+}  // namespace
+
+Complex largest_entry(const ComplexVector& x) { return x(position_of_largest(x)); }
+
+ComplexVector normalised(ComplexVector x) {
+  const Index at = position_of_largest(x);
+  const Complex pivot = x(at);
+  if (!(std::abs(pivot) > 0)) return x;
+  // Dividing by a real or an imaginary number must not mix the parts.
+  if (pivot.imag() == 0) {
+    x /= pivot.real();
+  } else if (pivot.real() == 0) {
+    for (Complex& z : x) z = Complex(z.imag() / pivot.imag(), -z.real() / pivot.imag());
+  } else {
+    x /= pivot;
+  }
+  x(at) = 1;
+  for (Complex& z : x) z = Complex(z.real() + 0.0, z.imag() + 0.0);  // −0 becomes 0
+  return x;
+}
+
+}  // namespace gyromode
