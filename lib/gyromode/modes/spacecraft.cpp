@@ -1,6 +1,6 @@
 #include "gyromode/modes/spacecraft.h"
 
-#include "gyromode/discrete/discretise.h"
+#include "gyromode/discrete/spin_phase.h"
 #include "gyromode/impedance/certified_roots.h"
 #include "gyromode/lapack/status.h"
 #include "gyromode/modes/shape.h"
@@ -20,13 +20,16 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Index spin_and_axial = 2;  // zero modes of any spacecraft
+constexpr Index spin_phase = 2;      // θ3 among the coordinates of the twin
 
 // Where the static stiffness is indefinite, the twin of finite elements knows where negative energy and growth may be.
 Seeds seeds_of(const Spacecraft& s) {
   constexpr Mesh mesh{2, 8};
+  constexpr double highest = 30;  // spins: growth and negative energy are slow motions
   Seeds seeds;
   try {
-    const ModesResult twin = find_modes(discretise(s, mesh));
+    const WithoutSpinPhase whole(discretise(s, mesh), spin_phase);
+    const ModesResult twin = find_modes(low_modes(whole.system(), highest * s.spin()));
     for (const Mode& m : twin.negative_modes) seeds.negative_energy.push_back(m.omega / s.spin());
     for (const UnstableMode& u : twin.unstable) seeds.growing.push_back(Complex(u.growth_rate, u.omega) / s.spin());
   } catch (const lapack::Failure&) {  // then there are none, and the balance says that something is missing
@@ -329,14 +332,30 @@ std::vector<EffectiveAxes> effective_axes(const Spacecraft& spacecraft, Index co
 }
 
 ModesResult find_modes(const Spacecraft& spacecraft, const Mesh& mesh, const ModesOptions& options) {
-  ModesResult r = find_modes(discretise(spacecraft, mesh), options);
+  const System whole = discretise(spacecraft, mesh);
+  const WithoutSpinPhase rest(whole, spin_phase);
+  ModesResult r = find_modes(rest.system(), options);
+  bool tilt_named = false;
   for (Mode& m : r.modes) {
-    if (std::abs(m.omega - spacecraft.spin()) <= 8 * m.error_bound + 1e-12 * spacecraft.spin() && m.energy_sign != 0) {
-      m.kind = ModeKind::rigid_body;
-      break;
-    }
+    if (options.shapes) m.shape = normalised(rest.restored(m.shape, m.omega));
+    if (tilt_named || !(std::abs(m.omega - spacecraft.spin()) <= 8 * m.error_bound + 1e-12 * spacecraft.spin())) continue;
+    m.kind = ModeKind::rigid_body;
+    tilt_named = true;
   }
-  r.path = fmt::format("finite elements ({} a cable, degree {}): ", mesh.elements, mesh.degree) + r.path;
+  r.structure = analyse(whole, options.structure);
+  r.index_balance.zero += 1;
+  r.stiffness.zero += 1;
+  if (r.stiffness.sign == Sign::positive) r.stiffness.sign = Sign::semidefinite;
+  if (r.coverage.window.a == 0) {
+    Mode spin;
+    spin.kind = ModeKind::rigid_body;
+    spin.energy_sign = 0;
+    if (options.shapes) spin.shape = ComplexVector::Unit(whole.size(), spin_phase);
+    r.modes.insert(r.modes.begin(), std::move(spin));
+    r.coverage.found += 1;
+    if (r.coverage.counted) *r.coverage.counted += 1;
+  }
+  r.path = fmt::format("finite elements ({} a cable, degree {}), spin phase apart: ", mesh.elements, mesh.degree) + r.path;
   return r;
 }
 
