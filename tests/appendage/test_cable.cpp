@@ -22,10 +22,10 @@ double number(const Json& j) { return j.is_string() ? std::stod(j.get<std::strin
 
 // χ = Φ′/Φ at the root.
 double chi(double lambda, double z, double ratio) {
-  const WireField<double> f = wire_fields(std::array<double, 2>{lambda, lambda + 1}, z, ratio)[0];
+  const WireField<double> f = wire_fields(lambda, z, ratio)[1];
   return f.slope / f.value / ((1 - z) * (1 + z));
 }
-Index zeros(double lambda, double z, double ratio) { return wire_fields(std::array<double, 2>{lambda, lambda}, z, ratio)[1].zeros; }
+Index zeros(double lambda, double z, double ratio) { return wire_fields(lambda, z, ratio)[1].zeros; }
 
 // Legendre polynomials by their recurrence: P and P′.
 std::pair<double, double> polynomial(int n, double z) {
@@ -79,6 +79,17 @@ TEST(WireField, RigidMotions) {
       EXPECT_NEAR(chi(1, z, ratio), 1 / z, 2e-14 / z) << ratio;
       EXPECT_EQ(chi(0, z, ratio), 0) << ratio;
     }
+  }
+}
+
+// The pendulum of a wire hinged near the axis: Φ(z_a) = z_a − λ(⅓ + …) at λ → 0, to relative rounding of z_a itself.
+TEST(WireField, RootsNearTheAxisKeepTheirDigits) {
+  for (const double z : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    // P_ν, ν(ν + 1) = 2(1 + λ), has its zero at z_a for λ = 3z_a/2 · (1 + O(z_a)).
+    const auto value = [&](double lambda) { return wire_fields(lambda, z, 0)[0].value; };
+    double lo = z, hi = 2 * z;
+    for (int k = 0; k < 80; ++k) (value(0.5 * (lo + hi)) * value(0.9 * z) > 0 ? lo : hi) = 0.5 * (lo + hi);
+    EXPECT_NEAR(lo, 1.5 * z, 3 * z * z + 1e-15 * z) << z;
   }
 }
 

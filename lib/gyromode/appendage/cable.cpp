@@ -63,7 +63,7 @@ template <class T>
 CableGroup::Answers<T> CableGroup::answers(const T& omega) const {
   const T ratio = omega / spin_;
   const T lambda = ratio * ratio;
-  Answers<T> found{{}, {}, {}, {}, wire_fields(std::array<T, 2>{1.0 + lambda, lambda}, z_root_, tip_mass_ratio_)};
+  Answers<T> found{{}, {}, {}, {}, wire_fields(lambda, z_root_, tip_mass_ratio_)};
   const double line = one_.line_density * unit_;
   const double a = one_.radius;
   const double m0 = one_.mass();

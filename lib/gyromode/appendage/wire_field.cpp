@@ -143,12 +143,17 @@ void normalise(March<Complex>&) {}
 bool below_zero(double x, bool before) { return x == 0 ? before : x < 0; }
 bool below_zero(const Complex&, bool) { return false; }
 
+// (1 − z²)(zΦ′ − Φ) = 2(λ − 1) · moment: of Φ near λ = 1, where it is nearly z, what is left at a root near the axis.
 template <class T>
-std::array<WireField<T>, lanes> fields(const Pair<T>& lambda, double z_root, double tip_mass_ratio) {
-  const Pair<T> two_lambda = twice(lambda);
+T value_near_one(const T& slope, const T& moment, const T& less_one, double z, double w) { return (z * w * slope - 2.0 * less_one * moment) / w; }
+
+template <class T>
+std::array<WireField<T>, lanes> fields(const T& lambda, double z_root, double tip_mass_ratio) {
+  const Pair<T> two_lambda = twice(Pair<T>{1.0 + lambda, lambda});
   const double largest = std::max(std::abs(two_lambda[0]), std::abs(two_lambda[1]));
   March<T> m = started(two_lambda, largest, z_root, tip_mass_ratio);
   const double end = 1 - z_root;
+  const double w = (1 - z_root) * (1 + z_root);
   std::array<WireField<T>, lanes> found;
   Pair<bool> negative{};
   while (m.distance < end) {
@@ -158,13 +163,14 @@ std::array<WireField<T>, lanes> fields(const Pair<T>& lambda, double z_root, dou
     advance(m, two_lambda, last ? left : longest);
     if (last) m.distance = end;
     normalise(m);
+    constexpr double near = 0.25;
+    if (last && std::abs(lambda) < near) m.value[0] = value_near_one(m.slope[0], m.moment[0], lambda, z_root, w);
     for (std::size_t i = 0; i < lanes; ++i) {
       const bool now = below_zero(m.value[i], negative[i]);
       if (now != negative[i]) ++found[i].zeros;
       negative[i] = now;
     }
   }
-  const double w = (1 - z_root) * (1 + z_root);
   for (std::size_t i = 0; i < lanes; ++i) {
     WireField<T>& f = found[i];
     f.value = m.value[i];
@@ -181,13 +187,9 @@ std::array<WireField<T>, lanes> fields(const Pair<T>& lambda, double z_root, dou
 
 }  // namespace
 
-std::array<WireField<double>, 2> wire_fields(const std::array<double, 2>& lambda, double z_root, double tip_mass_ratio) {
-  return fields(lambda, z_root, tip_mass_ratio);
-}
+std::array<WireField<double>, 2> wire_fields(double lambda, double z_root, double tip_mass_ratio) { return fields(lambda, z_root, tip_mass_ratio); }
 
-std::array<WireField<Complex>, 2> wire_fields(const std::array<Complex, 2>& lambda, double z_root, double tip_mass_ratio) {
-  return fields(lambda, z_root, tip_mass_ratio);
-}
+std::array<WireField<Complex>, 2> wire_fields(Complex lambda, double z_root, double tip_mass_ratio) { return fields(lambda, z_root, tip_mass_ratio); }
 
 template <class T>
 std::vector<T> wire_shape(const T& lambda, const std::vector<double>& z, double tip_mass_ratio) {
