@@ -17,7 +17,7 @@ using Pair = std::array<T, lanes>;
 
 // 1/(k + 1) … for the recurrences, so that nothing is divided in the loops.
 struct Reciprocals {
-  std::array<double, most_terms + 4> of{};
+  std::array<double, most_terms + 8> of{};
   constexpr Reciprocals() {
     for (std::size_t k = 0; k < of.size(); ++k) of[k] = 1 / (static_cast<double>(k) + 1);
   }
@@ -73,44 +73,53 @@ March<T> from_tip_mass(const Pair<T>& two_lambda, double ratio) {
   return m;
 }
 
-// By −step along z; the Taylor series about z, c_k: (1 − z²)(k + 2)(k + 1)c_{k+2} = 2z(k + 1)²c_{k+1} + (k(k + 1) − 2λ)c_k.
-template <class T>
+// By −step along z; the Taylor series about z, c_k: (1 − z²)(k + 2)(k + 1)c_{k+2} = 2z(k + 1)²c_{k+1} + (k(k + 1) − 2λ)c_k. The integrals only where asked for.
+template <bool integrals, class T>
 void advance(March<T>& m, const Pair<T>& two_lambda, double step) {
   const double z = 1 - m.distance;
   const double w = m.distance * (2 - m.distance);
   const double first = -2 * z * step / w;
   const double second = step * step / w;
-  Pair<T> before, now, value, slope, force, lever;
+  Pair<T> before, now, value, slope, force{}, lever{};
   double size = 0;
   for (std::size_t i = 0; i < lanes; ++i) {
     before[i] = m.value[i];         // c_k h^k, h = −step
     now[i] = -step * m.slope[i];    // c_{k+1} h^{k+1}
     value[i] = before[i] + now[i];
     slope[i] = now[i];
-    force[i] = before[i] + 0.5 * now[i];              // ∫ Φ over the step, by h
-    lever[i] = 0.5 * before[i] + inverse(3) * now[i]; // ∫ (z′ − z) Φ, by h²
+    if constexpr (integrals) {
+      force[i] = before[i] + 0.5 * now[i];               // ∫ Φ over the step, by h
+      lever[i] = 0.5 * before[i] + inverse(3) * now[i];  // ∫ (z′ − z) Φ, by h²
+    }
     size = std::max(size, std::abs(before[i]) + std::abs(now[i]));
   }
-  for (int k = 0; k < most_terms; ++k) {
-    const double n = k;
-    const double a = first * (n + 1) * inverse(k + 2);
-    const double b = second * inverse(k + 1) * inverse(k + 2);
-    double left = 0;
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const T next = a * now[i] + b * (n * (n + 1) - two_lambda[i]) * before[i];
-      value[i] += next;
-      slope[i] += (n + 2) * next;
-      force[i] += inverse(k + 3) * next;
-      lever[i] += inverse(k + 4) * next;
-      before[i] = now[i];
-      now[i] = next;
-      left = std::max(left, std::abs(before[i]) + std::abs(now[i]));
+  constexpr int stride = 4;  // terms between looks at what is left
+  for (int k = 0; k < most_terms; k += stride) {
+    for (int j = k; j < k + stride; ++j) {
+      const double n = j;
+      const double a = first * (n + 1) * inverse(j + 2);
+      const double b = second * inverse(j + 1) * inverse(j + 2);
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const T next = a * now[i] + (b * (n * (n + 1) - two_lambda[i])) * before[i];
+        value[i] += next;
+        slope[i] += (n + 2) * next;
+        if constexpr (integrals) {
+          force[i] += inverse(j + 3) * next;
+          lever[i] += inverse(j + 4) * next;
+        }
+        before[i] = now[i];
+        now[i] = next;
+      }
     }
-    if ((n + 3) * left <= 0.25 * epsilon * size) break;
+    double left = 0;
+    for (std::size_t i = 0; i < lanes; ++i) left = std::max(left, std::abs(before[i]) + std::abs(now[i]));
+    if ((k + stride + 2) * left <= 0.25 * epsilon * size) break;
   }
   for (std::size_t i = 0; i < lanes; ++i) {
-    m.force[i] += step * force[i];
-    m.moment[i] += step * (z * force[i] - step * lever[i]);
+    if constexpr (integrals) {
+      m.force[i] += step * force[i];
+      m.moment[i] += step * (z * force[i] - step * lever[i]);
+    }
     m.value[i] = value[i];
     m.slope[i] = slope[i] / -step;
   }
@@ -125,9 +134,9 @@ March<T> started(const Pair<T>& two_lambda, double largest, double z_root, doubl
   return tip_mass_ratio > 0 ? from_tip_mass(two_lambda, tip_mass_ratio) : from_regular_end(two_lambda, largest, z_root);
 }
 
-// The longest step that turns the phase by less than π/2 and stays within half the radius of the series.
+// The longest step that turns the phase by less than π, so that it holds one zero at most, and stays within half the radius of the series.
 double longest_step(double distance, double largest) {
-  const double phase = 1.5 * std::sqrt(distance * (2 - distance)) / std::sqrt(std::max(largest, 1e-300));
+  const double phase = 2.2 * std::sqrt(distance * (2 - distance)) / std::sqrt(std::max(largest, 1e-300));
   return std::min({0.5 * distance, phase, 0.5});
 }
 
@@ -154,13 +163,17 @@ std::array<WireField<T>, lanes> fields(const T& lambda, double z_root, double ti
   March<T> m = started(two_lambda, largest, z_root, tip_mass_ratio);
   const double end = 1 - z_root;
   const double w = (1 - z_root) * (1 + z_root);
+  // Beyond some waves the integrals follow from value and slope, free of the cancellation that their sum has.
+  constexpr double waves = 6;
+  const bool many_waves = std::abs(two_lambda[0]) > waves && std::abs(two_lambda[1]) > waves;
   std::array<WireField<T>, lanes> found;
   Pair<bool> negative{};
   while (m.distance < end) {
     const double longest = longest_step(m.distance, largest);
     const double left = end - m.distance;
     const bool last = longest >= left;
-    advance(m, two_lambda, last ? left : longest);
+    if (many_waves) advance<false>(m, two_lambda, last ? left : longest);
+    else advance<true>(m, two_lambda, last ? left : longest);
     if (last) m.distance = end;
     normalise(m);
     constexpr double near = 0.25;
@@ -176,11 +189,8 @@ std::array<WireField<T>, lanes> fields(const T& lambda, double z_root, double ti
     f.value = m.value[i];
     f.tip = m.tip[i];
     f.slope = w * m.slope[i];
-    // (1 − z²)Φ′ = 2λ · force and (1 − z²)(zΦ′ − Φ) = 2(λ − 1) · moment: free of the cancellation that the integrals of many waves have.
-    constexpr double waves = 6;
-    const bool many = std::abs(two_lambda[i]) > waves;
-    f.force = many ? f.slope / two_lambda[i] : m.force[i];
-    f.moment = many ? (z_root * f.slope - w * f.value) / (two_lambda[i] - 2.0) : m.moment[i];
+    f.force = many_waves ? f.slope / two_lambda[i] : m.force[i];  // (1 − z²)Φ′ = 2λ · force, (1 − z²)(zΦ′ − Φ) = 2(λ − 1) · moment
+    f.moment = many_waves ? (z_root * f.slope - w * f.value) / (two_lambda[i] - 2.0) : m.moment[i];
   }
   return found;
 }
@@ -204,7 +214,7 @@ std::vector<T> wire_shape(const T& lambda, const std::vector<double>& z, double 
       shape.push_back(1 - at <= 0 ? T(1) : from_regular_end(two_lambda, largest, at).value[0]);
       continue;
     }
-    while (m.distance < 1 - at) advance(m, two_lambda, std::min(longest_step(m.distance, largest), 1 - at - m.distance));
+    while (m.distance < 1 - at) advance<false>(m, two_lambda, std::min(longest_step(m.distance, largest), 1 - at - m.distance));
     shape.push_back(m.value[0]);
   }
   return shape;

@@ -21,7 +21,7 @@ struct WireField {
 };
 
 /// The fields of 1 + λ and of λ in one march: in plane and out of plane for λ = ω²/Ω². λ may be negative or complex (growing motion). Taylor series from tip to root, in steps that
-/// turn the phase by less than π/2, so that sign changes count zeros exactly: no ν is formed, and integer degrees and vanishing tip masses are nothing special. Errors grow as the
+/// turn the phase by less than π, so that sign changes count zeros exactly: no ν is formed, and integer degrees and vanishing tip masses are nothing special. Errors grow as the
 /// phase: 1e-15 of the larger of value and slope for ν < 4, 2e-14 at 30, 1e-12 at 100. Near λ = 0 the value in plane has small relative errors even where z_a → 0 makes it vanish.
 std::array<WireField<double>, 2> wire_fields(double lambda, double z_root, double tip_mass_ratio);
 std::array<WireField<Complex>, 2> wire_fields(Complex lambda, double z_root, double tip_mass_ratio);

@@ -36,10 +36,10 @@ void CertifiedRoots::find_negative(const std::vector<double>& seeds) {
       constexpr double narrowest = 1e-10, widest = 0.03;
       for (double width = narrowest; width < widest; width *= 3) {
         const double lo = seed * (1 - width), hi = seed * (1 + width);
-        const Index before = state_of(blocked_.blocks[b], blocked_.impedance.at(lo)).count;
-        const Index after = state_of(blocked_.blocks[b], blocked_.impedance.at(hi)).count;
-        if (before - after != 1) continue;
-        const Bracket bracket{static_cast<Index>(b), lo, hi, -before, 1};
+        const BlockState before = state_of(blocked_.blocks[b], blocked_.impedance.at(lo));
+        const BlockState after = state_of(blocked_.blocks[b], blocked_.impedance.at(hi));
+        if (before.count - after.count != 1) continue;
+        const Bracket bracket{static_cast<Index>(b), lo, hi, -before.count, 1, std::abs(before.nearest), std::abs(after.nearest)};
         Root root = converge(blocked_, bracket, falling).front();
         const bool known = std::any_of(negative_.begin(), negative_.end(), [&](const Root& r) {
           return r.block == root.block && std::abs(r.omega - root.omega) <= 4 * (r.error + root.error) + 1e-14 * root.omega;

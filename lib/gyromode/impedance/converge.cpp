@@ -12,11 +12,16 @@ class Crossing {
  public:
   Crossing(const BlockedImpedance& h, const Bracket& b, const GrowingCount& growing) : h_(h), bracket_(b), growing_(growing), lo_(b.lo), hi_(b.hi) {}
 
-  double operator()(double omega) {
-    const BlockState s = state_of(h_.blocks[static_cast<std::size_t>(bracket_.block)], h_.impedance.at(omega));
+  double operator()(double omega) { return look(omega, h_.impedance.at(omega)); }
+
+  double look(double omega, const Lifted& lifted) {
+    const BlockState s = state_of(h_.blocks[static_cast<std::size_t>(bracket_.block)], lifted);
     const bool below = growing_(bracket_.block, omega, s.count) <= bracket_.below;
     const double size = std::abs(s.nearest);
-    if (size > 8 * h_.impedance.rounding(omega)) (below ? lo_ : hi_) = omega;
+    if (size > 8 * h_.impedance.rounding(omega)) {
+      double& end = below ? lo_ : hi_;
+      end = below ? std::max(end, omega) : std::min(end, omega);
+    }
     return below ? size : -size;
   }
   double lo() const { return lo_; }
@@ -29,17 +34,20 @@ class Crossing {
   double lo_, hi_;
 };
 
-// Chandrupatla's hybrid method (Adv. Eng. Software 28 (1997) 145): inverse quadratic interpolation where its condition says that the function is tame enough, else bisection.
-double zero_of(Crossing& f, double a, double b, double smallest) {
-  double fa = f(a), fb = f(b), c = a, fc = fa, t = 0.5;
-  std::swap(a, b);
-  std::swap(fa, fb);
-  c = b;
-  fc = fb;
+// Chandrupatla's hybrid method (Adv. Eng. Software 28 (1997) 145): inverse quadratic interpolation where its condition says that the function is tame enough, else bisection. Ends
+// where the next step would be below what the last one can leave, and takes that step.
+double zero_of(Crossing& f, double a, double fa, double b, double fb) {
+  constexpr double last_step = 1e-12;  // relative; convergence is faster than linear there
+  constexpr double unit = 1.2e-16;
+  double c = a, fc = fa, t = 0.5;
+  if (fa == 0) return a;
+  if (fb == 0) return b;
+  t = std::clamp(fa / (fa - fb), 0.05, 0.95);
   constexpr int most_steps = 200;
   for (int step = 0; step < most_steps; ++step) {
     const double x = a + t * (b - a);
     const double fx = f(x);
+    if (fx == 0) return x;
     if ((fx < 0) == (fa < 0)) {
       c = a;
       fc = fa;
@@ -51,15 +59,18 @@ double zero_of(Crossing& f, double a, double b, double smallest) {
     }
     a = x;
     fa = fx;
-    const double best = std::abs(fa) < std::abs(fb) ? a : b;
     const double width = std::abs(b - a);
-    const double least = smallest * best;
-    if (width <= 2 * least || fa == 0) return best;
+    const double best = std::abs(fa) < std::abs(fb) ? a : b;
+    if (width <= 2 * unit * best) return best;
     const double xi = (a - b) / (c - b);
     const double phi = (fa - fb) / (fc - fb);
     t = 0.5;
-    if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi) t = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb);
-    t = std::clamp(t, least / width, 1 - least / width);
+    if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi) {
+      t = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb);
+      if (t >= 0 && t * width <= last_step * best) return a + t * (b - a);
+    }
+    const double least = unit * best / width;
+    t = std::clamp(t, least, 1 - least);
   }
   return std::abs(fa) < std::abs(fb) ? a : b;
 }
@@ -72,13 +83,14 @@ std::vector<Root> converge(const BlockedImpedance& h, const Bracket& bracket, co
   root.block = bracket.block;
   root.together = bracket.roots * block.copies();
   Crossing crossing(h, bracket, growing);
-  constexpr double unit = 1.2e-16;  // half a unit in the last place, nearly
-  root.omega = bracket.roots == 1 ? zero_of(crossing, bracket.lo, bracket.hi, unit) : 0.5 * (bracket.lo + bracket.hi);
-  root.lo = crossing.lo();
-  root.hi = crossing.hi();
+  root.omega = bracket.roots == 1 ? zero_of(crossing, bracket.lo, bracket.nearest_lo, bracket.hi, -bracket.nearest_hi) : 0.5 * (bracket.lo + bracket.hi);
   const Lifted at = h.impedance.at(root.omega);
   const double step = 1e-6 * std::min(1.0, root.omega);
-  const ComplexMatrix beyond = h.impedance.at(root.omega + step).matrix;
+  const Lifted beside = h.impedance.at(root.omega + step);
+  const ComplexMatrix& beyond = beside.matrix;
+  if (bracket.roots == 1) crossing.look(root.omega + step, beside);
+  root.lo = crossing.lo();
+  root.hi = crossing.hi();
   std::vector<Root> found;
   for (Index k = 0; k < std::min(bracket.roots, block.size()); ++k) {
     NearestEigenpair pair = nearest_eigenpair(block, at, k);

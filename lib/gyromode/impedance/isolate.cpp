@@ -8,46 +8,52 @@ namespace gyromode {
 
 namespace {
 
-using Counts = std::vector<Index>;
+// The growing counts of all blocks at one frequency, and how near each is to a root.
+struct State {
+  double omega = 0;
+  std::vector<Index> count;
+  std::vector<double> nearest;
+};
 
-Counts counts_at(const BlockedImpedance& h, double omega, const GrowingCount& growing) {
+State state_at(const BlockedImpedance& h, double omega, const GrowingCount& growing) {
   const Lifted lifted = h.impedance.at(omega);
-  Counts counts;
+  State s{omega, {}, {}};
   for (std::size_t b = 0; b < h.blocks.size(); ++b) {
-    counts.push_back(growing(static_cast<Index>(b), omega, state_of(h.blocks[b], lifted).count));
+    const BlockState block = state_of(h.blocks[b], lifted);
+    s.count.push_back(growing(static_cast<Index>(b), omega, block.count));
+    s.nearest.push_back(std::abs(block.nearest));
   }
-  return counts;
+  return s;
 }
 
 struct Interval {
-  double a, b;
-  Counts at_a, at_b;
+  State a, b;
 };
 
 }  // namespace
 
 std::vector<Bracket> isolate(const BlockedImpedance& h, double a, double b, const GrowingCount& growing) {
   std::vector<Bracket> found;
-  std::vector<Interval> open{{a, b, counts_at(h, a, growing), counts_at(h, b, growing)}};
+  std::vector<Interval> open{{state_at(h, a, growing), state_at(h, b, growing)}};
   while (!open.empty()) {
     const Interval i = std::move(open.back());
     open.pop_back();
+    const std::size_t blocks = h.blocks.size();
     // Narrower than the rounding of the roots themselves nothing can be told apart.
-    const bool narrow = i.b - i.a <= 8 * h.impedance.rounding(i.b) * i.b;
+    const bool narrow = i.b.omega - i.a.omega <= 8 * h.impedance.rounding(i.b.omega) * i.b.omega;
     bool more = false;
-    for (std::size_t k = 0; k < i.at_a.size(); ++k) more = more || i.at_b[k] - i.at_a[k] > 1;
+    for (std::size_t k = 0; k < blocks; ++k) more = more || i.b.count[k] - i.a.count[k] > 1;
     if (more && !narrow) {
-      const double mid = 0.5 * (i.a + i.b);
-      Counts at_mid = counts_at(h, mid, growing);
+      State mid = state_at(h, 0.5 * (i.a.omega + i.b.omega), growing);
       // On a root to rounding a count may lie beyond those of its neighbours: it is theirs.
-      for (std::size_t k = 0; k < at_mid.size(); ++k) at_mid[k] = std::clamp(at_mid[k], std::min(i.at_a[k], i.at_b[k]), std::max(i.at_a[k], i.at_b[k]));
-      open.push_back({mid, i.b, at_mid, i.at_b});
-      open.push_back({i.a, mid, i.at_a, std::move(at_mid)});
+      for (std::size_t k = 0; k < blocks; ++k) mid.count[k] = std::clamp(mid.count[k], std::min(i.a.count[k], i.b.count[k]), std::max(i.a.count[k], i.b.count[k]));
+      open.push_back({mid, i.b});
+      open.push_back({i.a, std::move(mid)});
       continue;
     }
-    for (std::size_t k = 0; k < i.at_a.size(); ++k) {
-      const Index roots = i.at_b[k] - i.at_a[k];
-      if (roots > 0) found.push_back({static_cast<Index>(k), i.a, i.b, i.at_a[k], roots});
+    for (std::size_t k = 0; k < blocks; ++k) {
+      const Index roots = i.b.count[k] - i.a.count[k];
+      if (roots > 0) found.push_back({static_cast<Index>(k), i.a.omega, i.b.omega, i.a.count[k], roots, i.a.nearest[k], i.b.nearest[k]});
     }
   }
   return found;

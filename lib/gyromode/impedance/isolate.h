@@ -25,6 +25,7 @@ struct Bracket {
   double lo = 0, hi = 0;
   Index below = 0;   ///< growing count at lo
   Index roots = 1;
+  double nearest_lo = 0, nearest_hi = 0;  ///< modulus of the block's eigenvalue nearest to zero at the ends
 };
 
 /// Bisection of the count until every bracket holds one root, or neighbours that rounding does not tell apart.
