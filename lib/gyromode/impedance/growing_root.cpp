@@ -69,13 +69,13 @@ std::optional<GrowingRoot> growing_root(const BlockedImpedance& h, Index block, 
     g_before = g;
     z = on_axis(z + move);
     if (!(std::abs(z - start) <= reach * size)) return std::nullopt;
-    settled = std::abs(move) <= 8 * rounding * size;
+    settled = std::abs(move) <= 64 * rounding * size;
   }
   const double growth = -z.imag();
   const double omega = divergence ? 0 : z.real();
   constexpr double certainty = 1e4;  // growth rates nearer to rounding are no growth
   if (!settled || !(growth > certainty * rounding * size) || omega < 0) return std::nullopt;
-  if (!(relative_singularity(block_at(h, b, z)) <= 1e3 * rounding)) return std::nullopt;
+  if (!(relative_singularity(block_at(h, b, z)) <= 1e5 * rounding)) return std::nullopt;
   return GrowingRoot{block, growth, omega, b.copies()};
 }
 
