@@ -26,6 +26,7 @@ struct Mode {
   double residual = 0;           ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂)
   double error_bound = 0;        ///< on |δω|, to first order
   std::optional<std::array<double, 2>> bracket;  ///< [lo, hi] between which a count proves the root, where there is one
+  std::vector<ComplexMatrix> field;  ///< displacement of the points of each outline, 3 × points, in the scale of the shape; spacecraft only, with shapes
   ComplexVector shape;           ///< empty unless asked for; largest entry 1 (the first of ties), n entries in the order of the labels
 };
 
@@ -57,6 +58,12 @@ struct Stiffness {
   Index zero = 0;
 };
 
+/// Points of a model in their steady places, in the axes and from the origin of the model file, for pictures.
+struct ModelOutline {
+  std::string name;
+  std::vector<Eigen::Vector3d> points;
+};
+
 /// Everything `gyromode modes` reports, free of any output format.
 struct ModesResult {
   Structure structure;
@@ -68,6 +75,7 @@ struct ModesResult {
   IndexBalance index_balance;
   double opposite_gap = 0;             ///< smallest relative distance of roots of opposite energy sign; infinite where there is none
   Coverage coverage;
+  std::vector<ModelOutline> outlines;  ///< of a spacecraft, where shapes were asked for
   std::vector<Mode> modes;             ///< in the window, ascending in ω
   std::vector<Mode> negative_modes;    ///< every mode of negative or undecided energy, whatever the window
   std::vector<UnstableMode> unstable;  ///< all, whatever the window

@@ -37,6 +37,21 @@ Seeds seeds_of(const Spacecraft& s) {
   return seeds;
 }
 
+Complex largest_displacement(const std::vector<ComplexMatrix>& field) {
+  Complex largest = 0;
+  for (const ComplexMatrix& line : field) {
+    for (const Complex& z : line.reshaped()) {
+      if (std::abs(z) > std::abs(largest)) largest = z;
+    }
+  }
+  return largest == 0.0 ? 1 : largest;
+}
+
+// θ × p (Eigen's cross() conjugates complex vectors).
+Eigen::Vector3cd rotated(const Eigen::Vector3cd& theta, const Eigen::Vector3d& p) {
+  return {theta(1) * p(2) - theta(2) * p(1), theta(2) * p(0) - theta(0) * p(2), theta(0) * p(1) - theta(1) * p(0)};
+}
+
 // A spacecraft solved as far as windows can be cut from it.
 class Solution {
  public:
@@ -102,8 +117,45 @@ class Solution {
     m.bracket = std::array{std::min(r.lo, r.omega) * unit(), std::max(r.hi, r.omega) * unit()};
     if (is_tilt(r)) m.omega = unit();
     m.kind = is_tilt(r) ? ModeKind::rigid_body : r.vector.head<body_coordinates>().isZero(0) ? ModeKind::local : ModeKind::vibration;
-    if (with_shape) m.shape = normalised(shape(r));
+    if (with_shape) {
+      const ComplexVector q = shape(r);
+      m.field = field(r, q);
+      m.shape = normalised(q);
+      const Complex scale = m.kind == ModeKind::local ? largest_displacement(m.field) : largest_entry(q);
+      for (ComplexMatrix& line : m.field) line /= scale;
+    }
     return m;
+  }
+
+  // Displacement ζ + θ × p of every point, and what its appendage adds.
+  std::vector<ComplexMatrix> field(const Root& r, const ComplexVector& q) const {
+    std::vector<ComplexMatrix> all;
+    const bool tilt = is_tilt(r);
+    for (const auto& part : impedance_.parts()) {
+      const auto lines = part.appendage->outlines();
+      std::vector<ComplexMatrix> relative;
+      if (!tilt) relative = part.appendage->displaced(r.omega, impedance_.body_vector(r.omega, r.vector), r.vector.segment(part.first, part.appendage->coordinates()));
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        ComplexMatrix d = tilt ? ComplexMatrix(ComplexMatrix::Zero(3, static_cast<Index>(lines[i].points.size()))) : ComplexMatrix(impedance_.unit_length() * relative[i]);
+        for (Index k = 0; k < d.cols(); ++k) {
+          d.col(k) += q.head<3>() + rotated(q.tail<3>(), impedance_.unit_length() * lines[i].points[static_cast<std::size_t>(k)]);
+        }
+        all.push_back(std::move(d));
+      }
+    }
+    return all;
+  }
+
+  std::vector<ModelOutline> outlines() const {
+    std::vector<ModelOutline> all;
+    for (const auto& part : impedance_.parts()) {
+      for (const Outline& o : part.appendage->outlines()) {
+        ModelOutline line{o.name, {}};
+        for (const Eigen::Vector3d& p : o.points) line.points.push_back(impedance_.unit_length() * p + Eigen::Vector3d(0, 0, spacecraft_.centre()));
+        all.push_back(std::move(line));
+      }
+    }
+    return all;
   }
 
   ComplexVector shape(const Root& r) const {
@@ -256,6 +308,7 @@ ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options
   r.stiffness = {r.index_balance.negative > 0 ? Sign::indefinite : Sign::semidefinite, r.index_balance.negative, r.index_balance.zero};
   r.coverage = coverage_of(s, options.window, window, inside);
   r.coverage.window = in_units(window, unit, options.window);
+  if (options.shapes) r.outlines = s.outlines();
   if (window.a == 0) {
     r.modes.push_back(zero_mode(2, options.shapes));
     r.modes.push_back(zero_mode(5, options.shapes));

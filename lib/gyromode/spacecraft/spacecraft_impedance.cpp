@@ -134,7 +134,7 @@ double SpacecraftImpedance::rounding(double omega) const {
 // ζ = B⁻¹ξ; the first row of H without its factor B gives it where B is singular: mζ is minus the first moment of the motion relative to the body.
 ComplexVector SpacecraftImpedance::body_motion(double omega, const ComplexVector& x) const {
   const Complex j(0, 1);
-  const double scale = 1 / std::sqrt(1 + omega * omega);
+  const double scale = tilt_scale(omega);
   ComplexVector q(6);
   const double determinant = (omega - 1) * (omega + 1);
   q(0) = length_ * (omega * x(0) - j * x(1)) / determinant;
@@ -144,6 +144,12 @@ ComplexVector SpacecraftImpedance::body_motion(double omega, const ComplexVector
   q(4) = scale * x(4);
   q(5) = x(5) / omega;
   return q;
+}
+
+ComplexVector SpacecraftImpedance::body_vector(double omega, const ComplexVector& x) const {
+  ComplexVector y = x.head<body_coordinates>();
+  y.segment<2>(3) *= tilt_scale(omega);
+  return y;
 }
 
 ComplexMatrix SpacecraftImpedance::hub(double omega) const {

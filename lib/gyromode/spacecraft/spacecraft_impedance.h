@@ -21,6 +21,8 @@ class SpacecraftImpedance : public LiftedImpedance {
 
   /// Displacement (ζ, θ) of body and reference point, in m and rad, for a null vector at the dimensionless frequency ω.
   ComplexVector body_motion(double omega, const ComplexVector& null_vector) const;
+  /// Its body coordinates (ξ, θ1, θ2, φ3) without the scale of the tilt, as appendages meet them.
+  ComplexVector body_vector(double omega, const ComplexVector& null_vector) const;
   /// H(ω) on (ζ, θ), in SI, at ω in rad/s.
   ComplexMatrix hub(double omega) const;
   /// H(ω) on (θ1, θ2), everything else eliminated, dimensionless.
