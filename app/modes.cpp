@@ -59,15 +59,19 @@ ModesResult solved(Job& job, const Options& o, ModesOptions options) {
   return job.solve([&](const auto&) { return find_modes(spacecraft, mesh, options); });
 }
 
-int run(const Options& o) {
+int run(const Options& given) {
+  Options o = given;
   Job job(o.source, o.output);
+  o.output.pictures = std::holds_alternative<Spacecraft>(job.model().system) && o.method != "discrete";
+  const io::Format format = o.output.chosen();
+  o.shapes = o.shapes || format == io::Format::svg;
   ModesOptions options;
   options.window = o.window.read();
   options.lowest = o.lowest;
   options.shapes = o.shapes;
   options.structure = o.source.structure();
   const ModesResult result = solved(job, o, options);
-  o.output.write(document(job.model(), result, job.timings(), o.output.chosen()));
+  o.output.write(document(job.model(), result, job.timings(), format));
   const Coverage& c = result.coverage;
   if (c.window.a != c.requested.a || (c.window.b != c.requested.b && !c.requested.open())) {
     o.output.say(fmt::format("an end of the window falls on a mode: [{:.17g}, {:.17g}) rad/s was used", c.window.a, c.window.b));
@@ -104,7 +108,7 @@ void add_modes(CLI::App& program, int& code) {
   verb->add_flag("--shapes", o->shapes, "With the mode shapes: motion is Re(X e^{jωt}), largest entry 1");
   o->output.add_to(*verb);
   verb->footer("Examples:\n  gyromode modes models/three_springs.toml --shapes\n  gyromode modes models/wiresaw.toml --lowest 3 --format json\n"
-                              "  gyromode modes models/geos.toml --below 40rpm\n  gyromode modes models/geos.toml --method discrete --elements 100\n"
+                              "  gyromode modes models/geos.toml --below 40rpm\n  gyromode modes models/geos.toml --lowest 6 -o shapes.svg\n  gyromode modes models/geos.toml --method discrete --elements 100\n"
                "  gyromode modes --mass M.mtx --gyroscopic G.mtx --stiffness K.mtx --window 1Hz:50Hz -o modes.csv");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
 }

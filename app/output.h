@@ -13,6 +13,7 @@ namespace gyromode::app {
 struct OutputOption {
   std::string format, file;
   bool quiet = false;
+  bool pictures = false;  ///< whether svg is among the formats
 
   void add_to(CLI::App& verb);
   io::Format chosen() const;

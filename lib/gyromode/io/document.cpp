@@ -2,6 +2,7 @@
 
 #include "gyromode/io/result_csv.h"
 #include "gyromode/io/result_json.h"
+#include "gyromode/io/result_svg.h"
 #include "gyromode/io/result_text.h"
 
 namespace gyromode::io {
@@ -11,6 +12,7 @@ std::optional<Format> format_named(std::string_view name) {
   if (name == "json") return Format::json;
   if (name == "csv") return Format::csv;
   if (name == "markdown") return Format::markdown;
+  if (name == "svg") return Format::svg;
   return std::nullopt;
 }
 
@@ -19,6 +21,7 @@ Format format_for(const std::filesystem::path& file) {
   if (extension == ".json") return Format::json;
   if (extension == ".csv") return Format::csv;
   if (extension == ".md") return Format::markdown;
+  if (extension == ".svg") return Format::svg;
   return Format::table;
 }
 
@@ -26,6 +29,7 @@ std::string document(const Model& model, const ModesResult& result, const Timing
   switch (format) {
     case Format::json: return modes_json(model, result, timings);
     case Format::csv: return modes_csv(model, result);
+    case Format::svg: return modes_svg(model, result);
     default: return modes_text(model, result, format);
   }
 }

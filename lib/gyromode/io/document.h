@@ -13,11 +13,11 @@
 namespace gyromode::io {
 
 /// How a result is written.
-enum class Format { table, json, csv, markdown };
+enum class Format { table, json, csv, markdown, svg };
 
-/// By name ("table", "json", "csv", "markdown"), or nothing.
+/// By name ("table", "json", "csv", "markdown", "svg"), or nothing.
 std::optional<Format> format_named(std::string_view name);
-/// By the extension of a file: .json, .csv, .md; table for the rest.
+/// By the extension of a file: .json, .csv, .md, .svg; table for the rest.
 Format format_for(const std::filesystem::path& file);
 
 /// Seconds spent.
@@ -36,7 +36,7 @@ struct StructureReport {
   std::vector<EffectiveAxes> effective_axes;  ///< of spacecraft that axes 1 and 2 do not part into in phase and in quadrature
 };
 
-/// A result as text in the format asked for. JSON follows the public schemas (docs/results.md), 17 significant digits where needed.
+/// A result as text in the format asked for; svg, a picture of the shapes, is for the modes of a spacecraft with shapes. JSON follows the public schemas (docs/results.md), 17 significant digits where needed.
 std::string document(const Model& model, const ModesResult& result, const Timings& timings, Format format);
 std::string document(const Model& model, const CountResult& result, const Timings& timings, Format format);
 std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format);

@@ -88,6 +88,17 @@ Json mode_json(const Model& model, const Mode& m) {
     const Vector im = m.shape.imag();
     j["shape"] = {{"labels", model.labels()}, {"re", std::vector<double>(re.begin(), re.end())}, {"im", std::vector<double>(im.begin(), im.end())}};
   }
+  if (!m.field.empty()) {
+    // In the order of the points of "geometry".
+    Json re = Json::array(), im = Json::array();
+    for (const ComplexMatrix& line : m.field) {
+      for (Index k = 0; k < line.cols(); ++k) {
+        re.push_back({line(0, k).real(), line(1, k).real(), line(2, k).real()});
+        im.push_back({line(0, k).imag(), line(1, k).imag(), line(2, k).imag()});
+      }
+    }
+    j["displacements"] = {{"re", std::move(re)}, {"im", std::move(im)}};
+  }
   return j;
 }
 
@@ -101,6 +112,21 @@ Json unstable_array(const std::vector<UnstableMode>& modes) {
   Json all = Json::array();
   for (const UnstableMode& u : modes) all.push_back({{"growth_rate", u.growth_rate}, {"omega", u.omega}, {"kind", u.flutter() ? "flutter" : "divergence"}});
   return all;
+}
+
+// Points at rest, and the lines through them. Where each mode takes them stands with the mode.
+Json geometry(const ModesResult& r) {
+  if (r.outlines.empty()) return nullptr;
+  Json points = Json::array(), lines = Json::array();
+  for (const ModelOutline& o : r.outlines) {
+    Json through = Json::array();
+    for (const Eigen::Vector3d& p : o.points) {
+      through.push_back(points.size());
+      points.push_back({p(0), p(1), p(2)});
+    }
+    lines.push_back({{"name", o.name}, {"points", std::move(through)}});
+  }
+  return {{"points", std::move(points)}, {"lines", std::move(lines)}, {"displacements", "modes[].displacements"}};
 }
 
 std::string text(const Json& j) { return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
@@ -119,7 +145,7 @@ std::string modes_json(const Model& model, const ModesResult& r, const Timings& 
   if (!c.reason.empty()) j["coverage"]["reason"] = c.reason;
   j["modes"] = modes_array(model, r.modes);
   j["unstable"] = unstable_array(r.unstable);
-  j["geometry"] = nullptr;  // a matrix model has none
+  j["geometry"] = geometry(r);  // a matrix model has none
   return text(j);
 }
 
