@@ -3,12 +3,16 @@
 #include "job.h"
 #include "verbs.h"
 
+#include "gyromode/io/nearest.h"
+#include "gyromode/modes/keep.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/spacecraft.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <ranges>
 
 namespace gyromode::app {
 
@@ -23,6 +27,7 @@ struct Options {
   bool shapes = false;
   std::string method = "auto";
   std::optional<Index> elements;
+  std::string keep;
 };
 
 constexpr Index lowest_of_a_spacecraft = 10;
@@ -39,13 +44,35 @@ dense::Method method_named(const std::string& name, bool spacecraft) {
                                                    : "is not part of this version"));
 }
 
+// The positions of comma-separated labels.
+std::vector<Index> kept_coordinates(const std::string& list, const Labels& labels) {
+  std::vector<Index> kept;
+  const std::vector<std::string_view> known(labels.begin(), labels.end());
+  for (const auto word : std::views::split(list, ',')) {
+    const std::string label(word.begin(), word.end());
+    const auto at = std::find(labels.begin(), labels.end(), label);
+    if (at == labels.end()) throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model: did you mean '{}'?", label, io::nearest(label, known)));
+    const Index i = at - labels.begin();
+    if (std::find(kept.begin(), kept.end(), i) != kept.end()) throw UsageError(fmt::format("--keep: '{}' is given twice", label));
+    kept.push_back(i);
+  }
+  return kept;
+}
+
 ModesResult solved(Job& job, const Options& o, ModesOptions options) {
   const auto* craft = std::get_if<Spacecraft>(&job.model().system);
   options.method = method_named(o.method, craft != nullptr);
   if (!craft) {
     if (o.elements) throw UsageError("--elements belongs to --method discrete of a spacecraft model");
+    if (!o.keep.empty()) {
+      const auto* system = std::get_if<System>(&job.model().system);
+      if (!system) throw dense::MethodDoesNotApply("--keep condenses M, G, K of second order; this model is of first order");
+      const std::vector<Index> kept = kept_coordinates(o.keep, system->labels());
+      return job.solve([&](const auto&) { return find_modes_keeping(*system, kept, options); });
+    }
     return job.solve([&](const auto& system) { return find_modes(system, options); });
   }
+  if (!o.keep.empty()) throw dense::MethodDoesNotApply("--keep condenses matrix models; a spacecraft with exact booms is condensed onto its body already");
   if (o.elements && o.method != "discrete") throw UsageError("--elements belongs to --method discrete");
   if (o.all && o.method != "discrete") {
     throw UsageError("--all: a spacecraft with exact booms has infinitely many modes; give --below W, --window A:B or --lowest N");
@@ -105,6 +132,7 @@ void add_modes(CLI::App& program, int& code) {
       ->check(CLI::IsMember({"auto", "quadrature", "hidden", "general", "first-order", "symmetric-2n", "exact", "discrete"}))
       ->capture_default_str();
   verb->add_option("--elements", o->elements, "Linear elements a cable of --method discrete (default 50)")->type_name("N")->check(CLI::Range(1, 2000));
+  verb->add_option("--keep", o->keep, "Matrices: see the modes from these coordinates alone, LABEL,LABEL,…; modes in which they take no part are local")->type_name("LABELS");
   verb->add_flag("--shapes", o->shapes, "With the mode shapes: motion is Re(X e^{jωt}), largest entry 1");
   o->output.add_to(*verb);
   verb->footer("Examples:\n  gyromode modes models/three_springs.toml --shapes\n  gyromode modes models/wiresaw.toml --lowest 3 --format json\n"

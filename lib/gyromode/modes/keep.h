@@ -1,0 +1,19 @@
+#pragma once
+
+#include "gyromode/modes/modes.h"
+
+namespace gyromode {
+
+/// The impedance condensed onto chosen coordinates b, the others i eliminated (Boland & Janssens 1979, Eqs. 13–15):
+///     H_red(ω) = H_bb − H_bi H_ii⁻¹ H_ib,   J(ω) = n₋(H_ii) + n₋(H_red) = n₋(H)   (gyroscopic.md (T11)).
+struct ReducedImpedance {
+  ComplexMatrix reduced;      ///< H_red, Hermitian; H_bb where H_ii is singular to rounding
+  Inertia internal, kept;     ///< of H_ii and H_red; doubtful at a pole or a mode to rounding
+};
+ReducedImpedance reduced_impedance(const System& system, const std::vector<Index>& kept, double omega);
+
+/// The modes of a system seen from some of its coordinates: those in which none of the `kept` takes part are `local`. They are poles of H_red that are modes as well: across one, n₋(H_ii)
+/// changes and n₋(H_red) does not. Of modes that coincide, as many combinations are local as leave the kept coordinates at rest.
+ModesResult find_modes_keeping(const System& system, const std::vector<Index>& kept, const ModesOptions& options);
+
+}  // namespace gyromode
