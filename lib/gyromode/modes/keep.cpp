@@ -25,7 +25,7 @@ std::vector<Index> all_but(Index n, const std::vector<Index>& kept) {
 }
 
 // Where a mode may be, at most a millionth off.
-double open_error(const Mode& m) { return std::clamp(m.error_bound, 8 * epsilon * m.omega, 1e-6 * m.omega); }
+double open_error(const Mode& m) { return std::clamp(std::isfinite(m.error_bound) ? m.error_bound : m.omega, 8 * epsilon * m.omega, 1e-6 * m.omega); }
 
 // Modes that rounding does not tell apart, by position in `modes`.
 std::vector<std::vector<std::size_t>> coinciding(const std::vector<Mode>& modes) {

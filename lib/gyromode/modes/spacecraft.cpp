@@ -106,6 +106,11 @@ class Solution {
     tilt->vector(4) = Complex(0, 1);
   }
 
+  // A pattern without the body has exactly 0 there; where it shares a block with it (wires on the axis), rounding.
+  bool body_at_rest(const Root& r) const {
+    return r.vector.head<body_coordinates>().norm() <= 64 * std::numeric_limits<double>::epsilon() * r.vector.norm();
+  }
+
   bool is_tilt(const Root& r) const { return r.omega == 1 && r.error == 0; }
 
   Mode mode(const Root& r, bool with_shape) const {
@@ -116,7 +121,7 @@ class Solution {
     m.error_bound = r.error * unit();
     m.bracket = std::array{std::min(r.lo, r.omega) * unit(), std::max(r.hi, r.omega) * unit()};
     if (is_tilt(r)) m.omega = unit();
-    m.kind = is_tilt(r) ? ModeKind::rigid_body : r.vector.head<body_coordinates>().isZero(0) ? ModeKind::local : ModeKind::vibration;
+    m.kind = is_tilt(r) ? ModeKind::rigid_body : body_at_rest(r) ? ModeKind::local : ModeKind::vibration;
     if (with_shape) {
       const ComplexVector q = shape(r);
       m.field = field(r, q);
@@ -159,6 +164,7 @@ class Solution {
   }
 
   ComplexVector shape(const Root& r) const {
+    if (body_at_rest(r)) return ComplexVector::Zero(6);
     if (!is_tilt(r)) return impedance_.body_motion(r.omega, r.vector);
     ComplexVector tilt = ComplexVector::Zero(6);
     tilt(3) = 1;
