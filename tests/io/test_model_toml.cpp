@@ -185,7 +185,7 @@ TEST_F(ModelToml, KnownValuesAreCheckedWhereTheyStand) {
   const std::string model = start + "mass = [[1]]\nstiffness = [[1]]\n[known]\n";
   EXPECT_EQ(error(model + "stability = \"stabel\"\n"),
             "model.toml:5:13: 'stabel' is no stability: stable, gyroscopically_stabilised, marginal, unstable was expected");
-  EXPECT_EQ(error(model + "class = \"special\"\n"), "model.toml:5:9: 'special' is no class: quadrature, general was expected");
+  EXPECT_EQ(error(model + "class = \"special\"\n"), "model.toml:5:9: 'special' is no class: quadrature, general, transcendental was expected");
   EXPECT_EQ(error(model + "frequencies = [2, 1]\n"), "model.toml:5:15: 'frequencies' do not ascend: rad/s in ascending order were expected");
   EXPECT_EQ(error(model + "frequency = [1]\n"), "model.toml:5:1: key 'frequency' is not known here: did you mean 'frequencies'?");
 }
@@ -208,12 +208,12 @@ TEST_F(ModelToml, UnknownKeys) {
 }
 
 TEST_F(ModelToml, Kinds) {
-  const std::string expected = "model.toml:1: key 'kind' is missing: kind = \"matrices\" or \"first_order\" was expected";
+  const std::string expected = "model.toml:1: key 'kind' is missing: kind = \"matrices\", \"first_order\" or \"spacecraft\" was expected";
   EXPECT_EQ(error("title = 't'\n"), expected);
   EXPECT_EQ(error("# nothing\n"), expected);
   EXPECT_EQ(error("kind = ''\n"), expected);
-  EXPECT_EQ(error("\nkind = 'rotor'\n"), "model.toml:2:8: kind 'rotor' is not known to this version: 'matrices' or 'first_order' was expected");
-  EXPECT_EQ(error("kind = 'Matrices'\n"), "model.toml:1:8: kind 'Matrices' is not known to this version: 'matrices' or 'first_order' was expected");
+  EXPECT_EQ(error("\nkind = 'rotor'\n"), "model.toml:2:8: kind 'rotor' is not known to this version: 'matrices', 'first_order' or 'spacecraft' was expected");
+  EXPECT_EQ(error("kind = 'Matrices'\n"), "model.toml:1:8: kind 'Matrices' is not known to this version: 'matrices', 'first_order' or 'spacecraft' was expected");
   EXPECT_EQ(error("kind = 1\n"), "model.toml:1:8: 'kind' is a number: a string was expected");
 }
 
