@@ -156,5 +156,115 @@ class Results(unittest.TestCase):
             self.assertEqual([m["omega"] for m in r["modes"]], [m["omega"] for m in s["modes"]])
 
 
+class Spacecraft(unittest.TestCase):
+    json = Results.json
+    GEOS = MODELS / "geos.toml"
+
+    def refused(self, code, expected, *arguments):
+        result = run(*arguments)
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        for word in expected:
+            self.assertIn(word, result.stderr)
+
+    def test_modes(self):
+        r = self.json("modes", self.GEOS, "--below", "400rpm")
+        self.assertEqual(r["model"]["kind"], "spacecraft")
+        self.assertEqual(r["model"]["frame"], "turning")
+        self.assertEqual(r["structure"]["class"], "transcendental")
+        self.assertEqual(r["structure"]["in_phase"], ["zeta1", "zeta3", "theta2", "theta3"])
+        self.assertEqual(r["structure"]["quadrature"], ["zeta2", "theta1"])
+        self.assertEqual((r["coverage"]["status"], r["coverage"]["found"], r["coverage"]["counted"]), ("complete", 112, 112))
+        self.assertEqual(r["stability"], "stable")
+        rigid = [m["omega"] for m in r["modes"] if m["kind"] == "rigid_body"]
+        self.assertEqual(rigid, [0, 0, 1.0471975511965976])
+        for m in r["modes"]:
+            if m["kind"] == "vibration":
+                self.assertLessEqual(m["bracket"][0], m["omega"])
+                self.assertGreaterEqual(m["bracket"][1], m["omega"])
+                self.assertLess(m["residual"], 1e-13)
+                self.assertLess(m["error_bound"], 1e-13 * (1 + m["omega"]))
+        self.assertIsNone(r["geometry"])
+
+    def test_lowest_ten_is_the_default(self):
+        r = self.json("modes", MODELS / "cluster.toml")
+        self.assertEqual(len([m for m in r["modes"] if m["kind"] != "rigid_body"]), 10)
+        self.assertEqual([m["kind"] for m in r["modes"]].count("rigid_body"), 3)
+        self.assertIn("local", [m["kind"] for m in r["modes"]])
+        self.assertEqual(run("modes", MODELS / "cluster.toml").stderr, "")
+
+    def test_infinitely_many(self):
+        self.refused(1, ["infinitely many", "--below"], "modes", self.GEOS, "--all")
+        self.refused(1, ["infinitely many", "upper end"], "modes", self.GEOS, "--window", "1:")
+        self.refused(1, ["infinitely many"], "count", self.GEOS, "--window", "1:")
+
+    def test_methods(self):
+        exact = self.json("modes", self.GEOS, "--method", "exact", "--lowest", "4")
+        discrete = self.json("modes", self.GEOS, "--method", "discrete", "--elements", "200", "--lowest", "4")
+        elastic = lambda r: [m["omega"] for m in r["modes"] if m["kind"] == "vibration"][:3]
+        for a, b in zip(elastic(exact), elastic(discrete), strict=True):
+            self.assertAlmostEqual(a, b, delta=1e-6 * a)
+            self.assertGreater(b, a)
+        self.refused(3, ["exact", "discrete"], "modes", self.GEOS, "--method", "quadrature")
+        self.refused(1, ["--elements"], "modes", self.GEOS, "--elements", "20")
+        self.refused(1, ["--elements"], "modes", MODELS / "wiresaw.toml", "--elements", "20")
+        self.refused(3, ["--keep", "matrix models"], "modes", self.GEOS, "--keep", "theta1")
+
+    def test_shapes_and_geometry(self):
+        r = self.json("modes", MODELS / "mms.toml", "--lowest", "6", "--shapes")
+        points = len(r["geometry"]["points"])
+        self.assertEqual(len(r["geometry"]["lines"]), 6)
+        for m in r["modes"]:
+            self.assertEqual(m["shape"]["labels"], ["zeta1", "zeta2", "zeta3", "theta1", "theta2", "theta3"])
+            if m["omega"] > 0:
+                self.assertEqual(len(m["displacements"]["re"]), points)
+            size = max(abs(complex(a, b)) for a, b in zip(m["shape"]["re"], m["shape"]["im"]))
+            self.assertEqual(size, 0 if m["kind"] == "local" else 1)
+
+    def test_picture(self):
+        with tempfile.TemporaryDirectory() as folder:
+            target = pathlib.Path(folder) / "shapes.svg"
+            self.assertEqual(run("modes", MODELS / "ulysses.toml", "--lowest", "3", "-o", target).returncode, 0)
+            text = target.read_text()
+            self.assertTrue(text.startswith("<svg") and text.rstrip().endswith("</svg>"))
+            self.assertEqual(text.count('class="caption"'), 3)
+            self.refused(1, ["svg", "spacecraft"], "modes", MODELS / "wiresaw.toml", "-o", target)
+            self.refused(1, ["svg", "spacecraft"], "count", self.GEOS, "--below", "3", "--format", "svg")
+
+    def test_count(self):
+        r = self.json("count", self.GEOS, "--below", "400rpm")
+        self.assertEqual((r["count"], r["signed"], r["zero"], r["status"]), (112, 110, 2, "exact"))
+        r = self.json("count", self.GEOS, "--window", "0.5:1.0471975511965976")  # ends on the tilt
+        self.assertEqual(r["count"], 1)
+        self.assertGreater(r["window"][1], r["requested"][1])
+
+    def test_structure(self):
+        r = self.json("structure", self.GEOS, "--at", "0.5")
+        self.assertEqual(r["components"], [["zeta1", "zeta2", "theta1", "theta2"], ["zeta3"], ["theta3"]])
+        self.assertEqual(len(r["at"]["H"]["re"]), 6)
+        self.assertAlmostEqual(r["checks"]["mass"], 273.6, delta=1e-9)
+        r = self.json("structure", MODELS / "geos_rotated.toml")
+        self.assertTrue(all(abs(a["psi"]) <= 0.7853981633974484 for a in r["effective_axes"]))
+
+    def test_unstable(self):
+        with tempfile.TemporaryDirectory() as folder:
+            model = pathlib.Path(folder) / "middle.toml"
+            model.write_text('kind = "spacecraft"\nspin = 1\n[body]\nmass = 10\ninertia = [4, 6, 5]\n')
+            r = self.json("stability", model)
+            self.assertEqual(r["stability"], "unstable")
+            self.assertAlmostEqual(r["unstable"][0]["growth_rate"], 24 ** -0.5, delta=1e-13)
+            self.assertTrue(r["index_balance"]["closed"])
+
+    def test_convert(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "matrices"
+            self.assertEqual(run("convert", self.GEOS, "-o", out, "--elements", "30", "--quiet").returncode, 0)
+            r = self.json("modes", "--mass", out / "M.mtx", "--gyroscopic", out / "G.mtx", "--stiffness", out / "K.mtx", "--below", "1")
+            self.assertEqual(r["model"]["coordinates"], 3 + 4 * 30)
+            exact = self.json("modes", self.GEOS, "--below", "1")
+            for a, b in zip([m["omega"] for m in exact["modes"]][2:], [m["omega"] for m in r["modes"]][1:], strict=True):
+                self.assertAlmostEqual(a, b, delta=1e-5)
+
+
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0]])
