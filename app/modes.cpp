@@ -74,11 +74,12 @@ ModesResult solved(Job& job, const Options& o, ModesOptions options) {
   }
   if (!o.keep.empty()) throw dense::MethodDoesNotApply("--keep condenses matrix models; a spacecraft with exact booms is condensed onto its body already");
   if (o.elements && o.method != "discrete") throw UsageError("--elements belongs to --method discrete");
-  if (o.all && o.method != "discrete") {
+  const bool infinite = o.method != "discrete" && !(craft->cables().empty() && craft->beams().empty());
+  if (o.all && infinite) {
     throw UsageError("--all: a spacecraft with exact booms has infinitely many modes; give --below W, --window A:B or --lowest N");
   }
-  if (!o.all && !o.window.given() && !options.lowest) options.lowest = lowest_of_a_spacecraft;
-  if (options.window.open() && !options.lowest && o.method != "discrete") throw UsageError("--window: a spacecraft with exact booms has infinitely many modes; the upper end is needed");
+  if (!o.all && !o.window.given() && !options.lowest && infinite) options.lowest = lowest_of_a_spacecraft;
+  if (options.window.open() && !options.lowest && infinite) throw UsageError("--window: a spacecraft with exact booms has infinitely many modes; the upper end is needed");
   if (o.method != "discrete") return job.solve([&](const auto& system) { return find_modes(system, options); });
   const Mesh mesh{o.elements.value_or(Mesh{}.elements), 1};
   const Spacecraft spacecraft = *craft;

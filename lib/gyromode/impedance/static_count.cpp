@@ -43,6 +43,11 @@ StaticCount static_count(const BlockedImpedance& h, const std::vector<Index>& fr
     s.negative += (still.count + zero_or_less(still.eigenvalues) - free_left - nearly) * b.copies();
   }
   s.doubtful = found != zeros;
+  if (s.doubtful) {  // then roots are sought from a little above 0, and not called complete
+    constexpr double above_zero = 1e-6;
+    const Lifted beside = h.impedance.at(above_zero);
+    for (std::size_t b = 0; b < h.blocks.size(); ++b) s.count[b] = state_of(h.blocks[b], beside).count;
+  }
   return s;
 }
 

@@ -204,11 +204,26 @@ Window in_units(const Window& w, double unit, const Window& requested) {
   return {w.a == requested.a / unit ? requested.a : w.a * unit, w.b == requested.b / unit ? requested.b : w.b * unit};
 }
 
+// A frequency above every mode of a body without booms: there J has counted each coordinate.
+double above_all(const Solution& s) {
+  const auto& blocked = s.roots().blocked();
+  constexpr double farthest = 1e9;
+  for (double b = 2; b < farthest; b *= 2) {
+    const Lifted lifted = blocked.impedance.at(b);
+    Index count = 0;
+    for (const Block& block : blocked.blocks) count += state_of(block, lifted).count * block.copies();
+    if (count == blocked.impedance.size()) return b;
+  }
+  return farthest;
+}
+
 // [0, b) with b in the gap after the `lowest`-th mode that is no rigid-body one.
 Window lowest_window(const Solution& s, Index lowest, const Window& requested) {
+  if (!s.impedance().continuous() && lowest >= s.impedance().size()) return {requested.a, std::min(requested.b, above_all(s))};
   const Index before = s.roots().below(requested.a);
   double b = std::max(2.0, 2 * requested.a);
-  while (s.roots().below(b) - before < lowest + 3 && b < requested.b) b *= 1.5;  // the tilt is among them, and one more shows the gap
+  const double highest = std::min(requested.b, s.impedance().continuous() ? infinity : above_all(s));
+  while (s.roots().below(b) - before < lowest + 3 && b < highest) b *= 1.5;  // the tilt is among them, and one more shows the gap
   const std::vector<Root> all = roots_around(s, requested.a, std::min(b, requested.b));
   Index seen = 0;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
@@ -293,12 +308,13 @@ ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options
   if (options.method != dense::Method::automatic) {
     throw dense::MethodDoesNotApply("the methods 'quadrature', 'general', 'first-order' and 'symmetric-2n' serve matrices; a spacecraft takes 'exact' or 'discrete'");
   }
-  if (options.window.open() && !options.lowest) {
+  const Solution s(spacecraft);
+  if (options.window.open() && !options.lowest && s.impedance().continuous()) {
     throw std::invalid_argument("a spacecraft with exact booms has infinitely many modes: a window with two ends or the number of lowest ones is needed");
   }
-  const Solution s(spacecraft);
   const double unit = s.unit();
   Window window{options.window.a / unit, options.window.b / unit};
+  if (window.open() && !s.impedance().continuous()) window.b = std::max(above_all(s), 2 * window.a);
   if (options.lowest) window = lowest_window(s, *options.lowest, window);
   const std::vector<Root> around = roots_around(s, window.a, window.b);
   window = cleared(window, around);
@@ -314,6 +330,7 @@ ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options
   r.stiffness = {r.index_balance.negative > 0 ? Sign::indefinite : Sign::semidefinite, r.index_balance.negative, r.index_balance.zero};
   r.coverage = coverage_of(s, options.window, window, inside);
   r.coverage.window = in_units(window, unit, options.window);
+  if (options.window.open() && !options.lowest) r.coverage.window.b = infinity;  // all of them
   if (options.shapes) r.outlines = s.outlines();
   if (window.a == 0) {
     r.modes.push_back(zero_mode(2, options.shapes));
@@ -332,10 +349,11 @@ ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options
 
 CountResult count_modes(const Spacecraft& spacecraft, const Window& requested, const StructureOptions&) {
   require_window(requested);
-  if (requested.open()) throw std::invalid_argument("a spacecraft with exact booms has infinitely many modes: a window with two ends is needed");
   const Solution s(spacecraft);
+  if (requested.open() && s.impedance().continuous()) throw std::invalid_argument("a spacecraft with exact booms has infinitely many modes: a window with two ends is needed");
   const double unit = s.unit();
   Window window{requested.a / unit, requested.b / unit};
+  if (window.open()) window.b = std::max(above_all(s), 2 * window.a);
   constexpr double near = 1e-9;
   std::vector<Root> ends;
   for (const double end : {window.a, window.b}) {
@@ -346,6 +364,7 @@ CountResult count_modes(const Spacecraft& spacecraft, const Window& requested, c
   CountResult c;
   c.requested = requested;
   c.window = in_units(used, unit, requested);
+  if (requested.open()) c.window.b = infinity;
   const auto& blocked = s.roots().blocked();
   const auto negative = [&](double omega) {
     const Lifted lifted = blocked.impedance.at(omega);

@@ -71,7 +71,7 @@ double tilt_scale(const Complex&) { return 1; }  // analytic
 
 }  // namespace
 
-SpacecraftImpedance::SpacecraftImpedance(const Spacecraft& s) : spin_(s.spin()), mass_(s.rigid().mass) {
+SpacecraftImpedance::SpacecraftImpedance(const Spacecraft& s) : spin_(s.spin()), mass_(s.rigid().mass), continuous_(!s.cables().empty() || !s.beams().empty()) {
   const Eigen::Matrix3d j = s.rigid().inertia();
   length_ = std::sqrt(j(2, 2) / mass_);
   inertia_ = j / j(2, 2);

@@ -36,6 +36,8 @@ class SpacecraftImpedance : public LiftedImpedance {
   };
   const std::vector<Part>& parts() const { return parts_; }
 
+  /// Whether there are infinitely many modes: booms. Without them as many as coordinates.
+  bool continuous() const { return continuous_; }
   /// Coordinates that nothing holds: ξ1, ξ2, ξ3, φ3. Of them φ3 is coupled to others through G.
   static std::vector<Index> free_coordinates() { return {0, 1, 2, 5}; }
   static std::vector<Index> cyclic_coordinates() { return {5}; }
@@ -53,6 +55,7 @@ class SpacecraftImpedance : public LiftedImpedance {
   std::vector<Part> parts_;
   Index size_ = body_coordinates;
   Index neutral_patterns_ = 0;
+  bool continuous_ = false;
 };
 
 }  // namespace gyromode
