@@ -1,5 +1,6 @@
-// Modes of a rotating mass on springs, by the installed package.
+// Modes of a rotating mass on springs, and of a satellite with two wires, by the installed package.
 #include <gyromode/modes/modes.h>
+#include <gyromode/modes/spacecraft.h>
 
 #include <cstdio>
 
@@ -13,5 +14,18 @@ int main() {
 
   const auto result = gyromode::find_modes(gyromode::System(mass, gyroscopic, stiffness));
   for (const auto& mode : result.modes) std::printf("%.12g rad/s\n", mode.omega);
-  return result.coverage.status == gyromode::CoverageStatus::complete ? 0 : 1;
+
+  const gyromode::Body hub{270, Eigen::Vector3d(85, 100, 120).asDiagonal()};
+  gyromode::Cable wire;
+  wire.radius = 0.8;
+  wire.length = 20;
+  wire.line_density = 0.03;
+  gyromode::Cable opposite = wire;
+  opposite.azimuth = 3.14159265358979323846;
+  gyromode::ModesOptions options;
+  options.lowest = 5;
+  const auto satellite = gyromode::find_modes(gyromode::Spacecraft(1.05, hub, {wire, opposite}), options);
+  for (const auto& mode : satellite.modes) std::printf("%.12g rad/s\n", mode.omega);
+  const bool complete = result.coverage.status == gyromode::CoverageStatus::complete && satellite.coverage.status == gyromode::CoverageStatus::complete;
+  return complete ? 0 : 1;
 }

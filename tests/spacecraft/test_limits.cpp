@@ -159,7 +159,7 @@ TEST(Limits, RigidBody) {
   EXPECT_EQ(middle.coverage.status, CoverageStatus::complete);
 }
 
-// Wires turned from the principal axes: ψ of the effective inertia, tan 2ψ = 2 g1 e1 e2/(I1 − I2 + g1(e1² − e2²)), with e = (−sin α, cos α) and g1 from the pair by itself (spacecraft.md §6).
+// Wires turned from the principal axes: ψ of the effective inertia, tan 2ψ = 2 g1 e1 e2/(I1 − I2 + g1(e1² − e2²)), with e = (−sin α, cos α) and g1 from the pair by itself (docs/booms.md (B13)).
 TEST(Limits, EffectiveAxesOfRotatedWires) {
   const double alpha = 115 * pi / 180;
   const std::vector<Cable> wires = ring(2, 0.8, 0, 0, alpha);

@@ -30,7 +30,7 @@ struct Cable {
 /// Equal cables, at any azimuths and heights: one field in plane and one out of plane serves all, and they move in Patterns.
 ///
 /// A wire at radius r, displaced in plane by u and out of plane by w relative to the body, feels the loads −ρ(U + rω φ3) and −ρ(ω ξ3 + r(Ω² − ω²)θ_t), with U = e_tᵀ(Bξ + hN(θ2, −θ1)) and
-/// θ_t the rotation about e_t (cables.md §2 in coordinates relative to the body). It answers with Legendre's functions of λ = 1 + ω²/Ω² and ω²/Ω².
+/// θ_t the rotation about e_t (docs/booms.md §3). It answers with Legendre's functions of λ = 1 + ω²/Ω² and ω²/Ω².
 class CableGroup : public Appendage {
  public:
   /// `cables` have the same_field().

@@ -18,7 +18,7 @@ HubMatrix condensed(const Lifted& lifted);
 ///     −m N₃ on ζ + θ × p,   −mΩ²{½((Pp)pᵀ + p(Pp)ᵀ) − (Pp·p) 1} on θ,   N₃ = [p jt 0; −jt p 0; 0 0 ω²],   P = diag(1, 1, 0).
 HubMatrix rigid_impedance(const MassProperties& m, double omega, double spin);
 
-/// The whole of one appendage, frozen mass and flexibility, about the origin of its heights (for one cable the table of cables.md §3).
+/// The whole of one appendage, frozen mass and flexibility, about the origin of its heights .
 HubMatrix hub_impedance(const Appendage& appendage, double omega, double spin);
 
 /// n₋ of the impedance of the appendage with its root held: the number of its fixed-root frequencies below ω > 0, unless the spin makes some of its static stiffness negative, which

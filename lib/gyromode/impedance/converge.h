@@ -15,7 +15,7 @@ struct Root {
   double error = 0;            ///< on |δω|: (|μ| + rounding) / |μ′|
   ComplexVector vector;        ///< x in the coordinates of the Lifted matrix, 2-norm 1
 
-  /// The sign of xᴴ(2ωM − jG)x of the whole system: an eigenvalue falls through zero where the energy is positive (gyroscopic.md (T11)).
+  /// The sign of xᴴ(2ωM − jG)x of the whole system: an eigenvalue falls through zero where the energy is positive (docs/theory.md (T2a)).
   int energy_sign() const { return slope < 0 ? 1 : -1; }
 };
 

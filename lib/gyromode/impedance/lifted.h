@@ -10,7 +10,7 @@ namespace gyromode {
 ///     [ H   b  ]
 ///     [ bᴴ  1/g]
 /// so that the matrix stays finite, Hermitian at real ω, and a motion that lives in the part alone (at its fixed-root frequency) is a null vector like any other. n₋ of the whole
-/// impedance, of infinitely many coordinates, is n₋(matrix) + Σ held (Haynsworth; Wittrick & Williams 1971; gyroscopic.md (T11)).
+/// impedance, of infinitely many coordinates, is n₋(matrix) + Σ held (Haynsworth; Wittrick & Williams 1971; docs/booms.md (B5), (B6)).
 struct Lifted {
   ComplexMatrix matrix;
   std::vector<Index> held;  ///< a coordinate: fixed-root frequencies below ω that it stands for, less 1 where its own entry is negative; real ω only

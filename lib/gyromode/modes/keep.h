@@ -5,7 +5,7 @@
 namespace gyromode {
 
 /// The impedance condensed onto chosen coordinates b, the others i eliminated (Boland & Janssens 1979, Eqs. 13–15):
-///     H_red(ω) = H_bb − H_bi H_ii⁻¹ H_ib,   J(ω) = n₋(H_ii) + n₋(H_red) = n₋(H)   (gyroscopic.md (T11)).
+///     H_red(ω) = H_bb − H_bi H_ii⁻¹ H_ib,   J(ω) = n₋(H_ii) + n₋(H_red) = n₋(H)   (Haynsworth).
 struct ReducedImpedance {
   ComplexMatrix reduced;      ///< H_red, Hermitian; H_bb where H_ii is singular to rounding
   Inertia internal, kept;     ///< of H_ii and H_red; doubtful at a pole or a mode to rounding

@@ -387,7 +387,7 @@ Transformation transformation_at(const Spacecraft& spacecraft, const Structure& 
   return transformation_of(SpacecraftImpedance(spacecraft).hub(omega), structure, omega);
 }
 
-// ψ = ½ atan2(2c, a − d) of H = [a, c + jb; ·, d] (spacecraft.md §6). At Ω both vanish with a common factor, and for an axisymmetric H every angle serves: 0.
+// ψ = ½ atan2(2c, a − d) of H = [a, c + jb; ·, d] (docs/booms.md (B13)). At Ω both vanish with a common factor, and for an axisymmetric H every angle serves: 0.
 std::vector<EffectiveAxes> effective_axes(const Spacecraft& spacecraft, Index count) {
   const SpacecraftImpedance impedance(spacecraft);
   std::vector<EffectiveAxes> all;

@@ -50,7 +50,7 @@ Spacecraft::Spacecraft(double spin, Body body, std::vector<Cable> cables, std::v
   rigid_ = rigid_.seen_from(centre_);
 }
 
-// cables.md §6: no net centrifugal force on the body, and no net moment across the spin axis.
+// docs/booms.md (B12): no net centrifugal force on the body, and no net moment across the spin axis.
 void Spacecraft::require_equilibrium() const {
   const double square = spin_ * spin_;
   const double across = rigid_.first.head<2>().norm();

@@ -27,7 +27,7 @@ std::optional<Breach> breach_of(const Beam& beam);
 std::optional<Breach> breach_of(const SpringMass& mass);
 
 /// A rigid body with booms and sprung masses that spins steadily about its axis 3. One that exists is in equilibrium: its parts are lawful, its mass centre is on axis 3 and the products of
-/// inertia J13, J23 of the complete satellite vanish (cables.md §6), within `tolerance`.
+/// inertia J13, J23 of the complete satellite vanish (docs/booms.md (B12)), within `tolerance`.
 class Spacecraft {
  public:
   static constexpr double tolerance = 1e-9;  ///< of the mass centre relative to Σ∫r dm, of J13 and J23 to J33

@@ -92,7 +92,7 @@ void SpacecraftImpedance::take(std::unique_ptr<Appendage> appendage) {
   size_ += own;
 }
 
-// The frozen satellite: −m on ξ, −J33 on φ3, and on θ1, θ2 (cables.md §3, J13 = J23 = 0)
+// The frozen satellite: −m on ξ, −J33 on φ3, and on θ1, θ2 (docs/booms.md (B3))
 //     [Ω²(J33 − J22) − ω²J11    (Ω² − ω²)J12 − jωΩ(J11 + J22 − J33)]
 //     [·                        Ω²(J33 − J11) − ω²J22              ].
 template <class T>
