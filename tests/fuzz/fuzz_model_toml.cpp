@@ -47,6 +47,16 @@ void require_promises(const FirstOrderSystem& s) {
   require(i.allFinite() && g.allFinite() && i == i.transpose() && g == -g.transpose() && i.diagonal().minCoeff() > 0);
 }
 
+void require_promises(const gyromode::Spacecraft& s) {
+  require(s.spin() > 0 && s.rigid().mass > 0 && s.rigid().second.allFinite());
+  for (const auto& c : s.cables()) require(c.length > 0 && c.line_density > 0 && c.radius >= 0 && c.tip_mass >= 0);
+}
+
+std::string_view kind_of(const Model& model) {
+  if (std::holds_alternative<System>(model.system)) return "matrices";
+  return std::holds_alternative<FirstOrderSystem>(model.system) ? "first_order" : "spacecraft";
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -56,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Model model = gyromode::io::parse_model(text, name);
     std::visit([](const auto& system) { require_promises(system); }, model.system);
     require(model.size() > 0 && static_cast<gyromode::Index>(model.labels().size()) == model.size());
-    require(model.kind == (std::holds_alternative<System>(model.system) ? "matrices" : "first_order") && model.sha256.size() == 64);
+    require(model.kind == kind_of(model) && model.sha256.size() == 64);
   } catch (const InputError& error) {
     require_one_line(error.what());
   } catch (const BrokenPromise&) {
