@@ -41,6 +41,15 @@ std::vector<EffectiveAxes> axes_of(const Matrices&) {
   return {};
 }
 
+std::vector<HeldBoom> booms_of(const Spacecraft& s) {
+  constexpr Index lowest = 5;
+  return held_booms(s, lowest);
+}
+template <class Matrices>
+std::vector<HeldBoom> booms_of(const Matrices&) {
+  return {};
+}
+
 int run(const Options& o) {
   Job job(o.source, o.output);
   const io::StructureReport report = job.solve([&](const auto& system) {
@@ -49,6 +58,7 @@ int run(const Options& o) {
     r.stiffness_applies = !std::is_same_v<std::decay_t<decltype(system)>, FirstOrderSystem>;
     r.structure = analyse(system, o.source.structure());
     r.stiffness = described(system);
+    r.held_booms = booms_of(system);
     r.effective_axes = axes_of(system);
     if (!o.at.empty()) r.at = transformation_at(without_ignored_couplings(system, o.source.structure()), r.structure, frequency_option("--at", o.at));
     return r;

@@ -1,10 +1,12 @@
 // Where booms degenerate: no radius, no tip mass, equal stiffnesses, equal booms; high frequencies; modes at poles and pairs that nearly coincide. None is lost, none loses digits.
 #include "gyromode/appendage/hub_impedance.h"
 #include "gyromode/modes/spacecraft.h"
+#include "gyromode/spacecraft/held_booms.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace gyromode {
@@ -157,6 +159,33 @@ TEST(Limits, RigidBody) {
   EXPECT_NEAR(middle.unstable[0].growth_rate, spin * std::sqrt(1.0 * 1 / 24), 1e-13);
   EXPECT_EQ(middle.unstable[0].omega, 0);
   EXPECT_EQ(middle.coverage.status, CoverageStatus::complete);
+}
+
+// Booms on a body that only spins: wires on the axis by their closed form, an axisymmetric boom at its cantilever frequencies ± Ω, a mass on springs at √(k/m) ± Ω.
+TEST(Limits, HeldBooms) {
+  std::vector<Cable> wires = ring(2, 0, 0.1, 0);
+  const double l = 6, density = 0.1, stiffness = 30;
+  const Spacecraft s(spin, body, wires, {{0.4, true, l, density, {stiffness, stiffness}, 0}}, {{{0, 0, 1}, 2, {50, 50, std::numeric_limits<double>::infinity()}}});
+  const std::vector<HeldBoom> booms = held_booms(s, 4);
+  ASSERT_EQ(booms.size(), 4u);
+  EXPECT_EQ(booms[0].name, "cables 1, 2, in plane");
+  for (std::size_t n = 1; n <= 4; ++n) {
+    const double m = static_cast<double>(n);
+    EXPECT_NEAR(booms[1].frequencies[n - 1], spin * std::sqrt(m * (2 * m - 1)), 1e-13) << n;
+  }
+  for (std::size_t n = 2; n <= 4; ++n) {
+    const double m = static_cast<double>(n);
+    EXPECT_NEAR(booms[0].frequencies[n - 1 - (booms[0].frequencies[0] > 0.1 ? 1 : 0)], spin * std::sqrt(m * (2 * m - 1) - 1), 1e-13) << n;
+  }
+  const double first = std::pow(1.8751040687119611 / l, 2) * std::sqrt(stiffness / density), second = std::pow(4.6940911329741746 / l, 2) * std::sqrt(stiffness / density);
+  ASSERT_EQ(booms[2].frequencies.size(), 4u);
+  EXPECT_NEAR(booms[2].frequencies[0], first - spin, 1e-12);
+  EXPECT_NEAR(booms[2].frequencies[1], first + spin, 1e-12);
+  EXPECT_NEAR(booms[2].frequencies[2], second - spin, 1e-11);
+  EXPECT_NEAR(booms[2].frequencies[3], second + spin, 1e-11);
+  ASSERT_EQ(booms[3].frequencies.size(), 2u);
+  EXPECT_NEAR(booms[3].frequencies[0], 5 - spin, 1e-13);
+  EXPECT_NEAR(booms[3].frequencies[1], 5 + spin, 1e-13);
 }
 
 // Wires turned from the principal axes: ψ of the effective inertia, tan 2ψ = 2 g1 e1 e2/(I1 − I2 + g1(e1² − e2²)), with e = (−sin α, cos α) and g1 from the pair by itself (docs/booms.md (B13)).

@@ -3,6 +3,7 @@
 
 #include "gyromode/dense/inertia.h"
 #include "gyromode/discrete/discretise.h"
+#include "gyromode/discrete/spin_phase.h"
 #include "gyromode/impedance/blocks.h"
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/spacecraft/spacecraft_impedance.h"
@@ -138,6 +139,28 @@ TEST(RandomSatellites, AreCertified) {
     }
   }
   EXPECT_LE(open, satellites / 50);
+}
+
+// Growing motions of the exact impedance are those of the twin to its own error, and where they are all, the balance closes.
+TEST(RandomSatellites, GrowthRatesAreThoseOfTheTwin) {
+  std::size_t growing = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const Spacecraft s = random_spacecraft(seed);
+    ModesOptions options;
+    options.lowest = 1;
+    const ModesResult exact = find_modes(s, options);
+    if (exact.unstable.empty()) continue;
+    const WithoutSpinPhase twin(discretise(s, {1, 14}), 2);
+    const ModesResult fine = find_modes(low_modes(twin.system(), 200 * s.spin()));
+    for (const UnstableMode& u : exact.unstable) {
+      double nearest = 1;
+      for (const UnstableMode& f : fine.unstable) nearest = std::min(nearest, std::hypot(f.growth_rate - u.growth_rate, f.omega - u.omega) / std::hypot(u.growth_rate, u.omega));
+      EXPECT_LE(nearest, 2e-5) << "seed " << seed << ": " << u.growth_rate / s.spin() << " + j " << u.omega / s.spin();
+      ++growing;
+    }
+    EXPECT_TRUE(exact.index_balance.closed) << seed;
+  }
+  EXPECT_GE(growing, 20u);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/result.h"
 #include "gyromode/modes/spacecraft.h"
+#include "gyromode/spacecraft/held_booms.h"
 #include "gyromode/structure/transformation.h"
 
 #include <optional>
@@ -33,6 +34,7 @@ struct StructureReport {
   bool stiffness_applies = true;          ///< false for first-order models
   std::optional<Transformation> at;
   double coupling_tolerance = 0;
+  std::vector<HeldBoom> held_booms;           ///< of a spacecraft: the poles of its booms
   std::vector<EffectiveAxes> effective_axes;  ///< of spacecraft that axes 1 and 2 do not part into in phase and in quadrature
 };
 

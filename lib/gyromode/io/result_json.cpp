@@ -189,6 +189,10 @@ std::string structure_json(const Model& model, const StructureReport& r, const T
   }
   checks["coupling_tolerance"] = r.coupling_tolerance;
   j["checks"] = std::move(checks);
+  if (!r.held_booms.empty()) {
+    j["held_booms"] = Json::array();
+    for (const HeldBoom& h : r.held_booms) j["held_booms"].push_back({{"name", h.name}, {"omega", h.frequencies}});
+  }
   if (!r.effective_axes.empty()) {
     j["effective_axes"] = Json::array();
     for (const EffectiveAxes& e : r.effective_axes) j["effective_axes"].push_back({{"omega", e.omega}, {"psi", e.angle}});

@@ -180,6 +180,15 @@ std::string structure_text(const Model& model, const StructureReport& r, Format 
     }
     out += "\n" + written(grid, format);
   }
+  if (!r.held_booms.empty()) {
+    Grid grid({"boom on a body held", "ω [rad/s]"});
+    for (const HeldBoom& h : r.held_booms) {
+      std::string list;
+      for (const double w : h.frequencies) list += fmt::format("{}{:.6g}", list.empty() ? "" : "  ", w);
+      grid.add({h.name, list});
+    }
+    out += "\n" + written(grid, format);
+  }
   if (!r.effective_axes.empty()) {
     Grid grid({"ω [rad/s]", "ψ [°]"});
     for (const EffectiveAxes& e : r.effective_axes) grid.add({fmt::format("{:.10g}", e.omega), fmt::format("{:.8g}", e.angle * 180 / std::numbers::pi)});
