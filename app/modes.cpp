@@ -12,7 +12,7 @@
 
 #include <algorithm>
 #include <memory>
-#include <ranges>
+#include <sstream>
 
 namespace gyromode::app {
 
@@ -48,8 +48,8 @@ dense::Method method_named(const std::string& name, bool spacecraft) {
 std::vector<Index> kept_coordinates(const std::string& list, const Labels& labels) {
   std::vector<Index> kept;
   const std::vector<std::string_view> known(labels.begin(), labels.end());
-  for (const auto word : std::views::split(list, ',')) {
-    const std::string label(word.begin(), word.end());
+  std::istringstream words(list);
+  for (std::string label; std::getline(words, label, ',');) {
     const auto at = std::find(labels.begin(), labels.end(), label);
     if (at == labels.end()) throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model: did you mean '{}'?", label, io::nearest(label, known)));
     const Index i = at - labels.begin();

@@ -39,7 +39,7 @@ struct Pole {
     e1 = first ? T(root + half) : c.q12;
     e2 = first ? c.q12 : T(root - half);
     if (e1 == T(0) && e2 == T(0)) e1 = 1;  // Q = a 1: any direction
-    const T length = std::sqrt(e1 * e1 + e2 * e2);
+    const T length = (std::real(e1) < 0 ? -1.0 : 1.0) * std::sqrt(e1 * e1 + e2 * e2);  // one sign, lest borders turn over from one frequency to the next
     e1 /= length;
     e2 /= length;
     const T rest = c.det / a;

@@ -39,12 +39,12 @@ void CertifiedRoots::find_negative(const std::vector<double>& seeds) {
         const BlockState before = state_of(blocked_.blocks[b], blocked_.impedance.at(lo));
         const BlockState after = state_of(blocked_.blocks[b], blocked_.impedance.at(hi));
         if (before.count - after.count != 1) continue;
-        const Bracket bracket{static_cast<Index>(b), lo, hi, -before.count, 1, std::abs(before.nearest), std::abs(after.nearest)};
+        const Bracket bracket{static_cast<Index>(b), lo, hi, -before.count, 1, -1, std::abs(before.nearest), std::abs(after.nearest)};
         Root root = converge(blocked_, bracket, falling).front();
         const bool known = std::any_of(negative_.begin(), negative_.end(), [&](const Root& r) {
           return r.block == root.block && std::abs(r.omega - root.omega) <= 4 * (r.error + root.error) + 1e-14 * root.omega;
         });
-        if (!known && root.energy_sign() < 0) negative_.push_back(std::move(root));
+        if (!known && root.energy_sign < 0) negative_.push_back(std::move(root));
         break;
       }
     }

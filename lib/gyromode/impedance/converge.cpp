@@ -75,6 +75,10 @@ double zero_of(Crossing& f, double a, double fa, double b, double fb) {
   return std::abs(fa) < std::abs(fb) ? a : b;
 }
 
+double slope_between(const ComplexMatrix& at, const ComplexMatrix& beyond, const ComplexVector& x, double step) {
+  return (x.dot(beyond * x).real() - x.dot(at * x).real()) / step;
+}
+
 }  // namespace
 
 std::vector<Root> converge(const BlockedImpedance& h, const Bracket& bracket, const GrowingCount& growing) {
@@ -86,16 +90,18 @@ std::vector<Root> converge(const BlockedImpedance& h, const Bracket& bracket, co
   root.omega = bracket.roots == 1 ? zero_of(crossing, bracket.lo, bracket.nearest_lo, bracket.hi, -bracket.nearest_hi) : 0.5 * (bracket.lo + bracket.hi);
   const Lifted at = h.impedance.at(root.omega);
   const double step = 1e-6 * std::min(1.0, root.omega);
-  const Lifted beside = h.impedance.at(root.omega + step);
-  const ComplexMatrix& beyond = beside.matrix;
-  if (bracket.roots == 1) crossing.look(root.omega + step, beside);
+  const Lifted beyond = h.impedance.at(root.omega + step);
+  if (bracket.roots == 1) crossing.look(root.omega + step, beyond);
+  root.energy_sign = bracket.change == bracket.roots ? 1 : bracket.change == -bracket.roots ? -1 : 0;
   root.lo = crossing.lo();
   root.hi = crossing.hi();
   std::vector<Root> found;
   for (Index k = 0; k < std::min(bracket.roots, block.size()); ++k) {
     NearestEigenpair pair = nearest_eigenpair(block, at, k);
     root.value = pair.value;
-    root.slope = (pair.vector.dot(beyond * pair.vector).real() - pair.vector.dot(at.matrix * pair.vector).real()) / step;
+    root.slope = slope_between(at.matrix, beyond.matrix, pair.vector, step);
+    // The direction of a pole has no sign of its own, and may turn over between the two: not at both sides.
+    if (root.slope * root.energy_sign > 0) root.slope = slope_between(at.matrix, h.impedance.at(root.omega - step).matrix, pair.vector, -step);
     root.error = (std::abs(pair.value) + h.impedance.rounding(root.omega)) / std::abs(root.slope);
     root.vector = std::move(pair.vector);
     found.push_back(root);

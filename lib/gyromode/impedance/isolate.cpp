@@ -8,19 +8,20 @@ namespace gyromode {
 
 namespace {
 
-// The growing counts of all blocks at one frequency, and how near each is to a root.
+// The growing counts of all blocks at one frequency, their J, and how near each is to a root.
 struct State {
   double omega = 0;
-  std::vector<Index> count;
+  std::vector<Index> count, plain;
   std::vector<double> nearest;
 };
 
 State state_at(const BlockedImpedance& h, double omega, const GrowingCount& growing) {
   const Lifted lifted = h.impedance.at(omega);
-  State s{omega, {}, {}};
+  State s{omega, {}, {}, {}};
   for (std::size_t b = 0; b < h.blocks.size(); ++b) {
     const BlockState block = state_of(h.blocks[b], lifted);
     s.count.push_back(growing(static_cast<Index>(b), omega, block.count));
+    s.plain.push_back(omega == 0 ? s.count.back() : block.count);  // at 0⁺ as the caller knows it
     s.nearest.push_back(std::abs(block.nearest));
   }
   return s;
@@ -53,7 +54,7 @@ std::vector<Bracket> isolate(const BlockedImpedance& h, double a, double b, cons
     }
     for (std::size_t k = 0; k < blocks; ++k) {
       const Index roots = i.b.count[k] - i.a.count[k];
-      if (roots > 0) found.push_back({static_cast<Index>(k), i.a.omega, i.b.omega, i.a.count[k], roots, i.a.nearest[k], i.b.nearest[k]});
+      if (roots > 0) found.push_back({static_cast<Index>(k), i.a.omega, i.b.omega, i.a.count[k], roots, i.b.plain[k] - i.a.plain[k], i.a.nearest[k], i.b.nearest[k]});
     }
   }
   return found;

@@ -25,6 +25,7 @@ struct Bracket {
   double lo = 0, hi = 0;
   Index below = 0;   ///< growing count at lo
   Index roots = 1;
+  Index change = 1;      ///< of J itself from lo to hi: each root of positive energy adds one, each of negative energy takes one away
   double nearest_lo = 0, nearest_hi = 0;  ///< modulus of the block's eigenvalue nearest to zero at the ends
 };
 

@@ -116,7 +116,7 @@ class Solution {
   Mode mode(const Root& r, bool with_shape) const {
     Mode m;
     m.omega = r.omega * unit();
-    m.energy_sign = r.energy_sign();
+    m.energy_sign = r.energy_sign;
     m.residual = std::abs(r.value / (r.omega * r.slope));
     m.error_bound = r.error * unit();
     m.bracket = std::array{std::min(r.lo, r.omega) * unit(), std::max(r.hi, r.omega) * unit()};
