@@ -4,6 +4,7 @@
 #include "verbs.h"
 
 #include "gyromode/io/nearest.h"
+#include "gyromode/modes/discrete.h"
 #include "gyromode/modes/keep.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/spacecraft.h"

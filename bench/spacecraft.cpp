@@ -5,6 +5,7 @@
 #include "gyromode/dense/solve.h"
 #include "gyromode/discrete/spin_phase.h"
 #include "gyromode/discrete/discretise.h"
+#include "gyromode/modes/discrete.h"
 #include "gyromode/modes/spacecraft.h"
 
 #include <fmt/format.h>
@@ -51,7 +52,7 @@ std::vector<Row> spacecraft_rows(const RowOptions& options) {
     const Mesh mesh{std::max<Index>(40, static_cast<Index>(elements * options.n_scale)), 1};
     const std::vector<double> fine = vibrations(find_modes(s, mesh, below));
     const double lowest = worst(fine, exact, 6);
-    const WithoutSpinPhase twin(discretise(s, mesh), 2);
+    const WithoutSpinPhase twin(discretise(s, mesh), spin_phase_of_twin);
     const Structure structure = analyse(twin.system());
     const Contestant ours{"find_modes", "exact fields, all modes below 40 spins, certified", {}, [&] { find_modes(s, below); }};
     const Contestant theirs{"finite elements", fmt::format("dense::solve of M, G, K, {} linear elements a wire, given", mesh.elements), {}, [&] {

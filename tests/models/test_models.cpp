@@ -1,6 +1,7 @@
 // Every shipped model has the class, verdict and frequencies that it declares.
 #include "gyromode/io/model.h"
 #include "gyromode/modes/modes.h"
+#include "gyromode/modes/discrete.h"
 #include "gyromode/modes/spacecraft.h"
 
 #include <gtest/gtest.h>

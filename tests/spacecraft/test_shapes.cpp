@@ -1,6 +1,7 @@
 // Mode shapes: the fields of the booms against the nodes of the twin, and what a shape must look like.
 #include "support/random_spacecraft.h"
 
+#include "gyromode/modes/discrete.h"
 #include "gyromode/modes/spacecraft.h"
 
 #include <gtest/gtest.h>

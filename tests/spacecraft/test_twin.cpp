@@ -5,6 +5,7 @@
 #include "gyromode/discrete/discretise.h"
 #include "gyromode/discrete/spin_phase.h"
 #include "gyromode/impedance/blocks.h"
+#include "gyromode/modes/discrete.h"
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/spacecraft/spacecraft_impedance.h"
 
@@ -150,7 +151,7 @@ TEST(RandomSatellites, GrowthRatesAreThoseOfTheTwin) {
     options.lowest = 1;
     const ModesResult exact = find_modes(s, options);
     if (exact.unstable.empty()) continue;
-    const WithoutSpinPhase twin(discretise(s, {1, 14}), 2);
+    const WithoutSpinPhase twin(discretise(s, {1, 14}), spin_phase_of_twin);
     const ModesResult fine = find_modes(low_modes(twin.system(), 200 * s.spin()));
     for (const UnstableMode& u : exact.unstable) {
       double nearest = 1;

@@ -3,7 +3,7 @@
 #include "gyromode/io/model.h"
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/result.h"
-#include "gyromode/modes/spacecraft.h"
+#include "gyromode/modes/effective_axes.h"
 #include "gyromode/spacecraft/held_booms.h"
 #include "gyromode/structure/transformation.h"
 

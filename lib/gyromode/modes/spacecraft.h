@@ -1,6 +1,5 @@
 #pragma once
 
-#include "gyromode/discrete/discretise.h"
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/spacecraft/spacecraft.h"
@@ -21,17 +20,5 @@ Structure analyse(const Spacecraft& spacecraft, const StructureOptions& options 
 
 /// H(ω) on (ζ, θ) at the mass centre of the complete satellite, in N and N m per m and rad, and what makes it real symmetric.
 Transformation transformation_at(const Spacecraft& spacecraft, const Structure& structure, double omega);
-
-/// Of a mode, the angle from axis 1 to the axis of the body about which, at its frequency, rotations are in phase and rotations across it in quadrature: principal axes of the effective inertia of hub
-/// and booms (Boland & Janssens 1979, Fig. 4, Eq. 19).
-struct EffectiveAxes {
-  double omega = 0;  ///< rad/s
-  double angle = 0;  ///< ψ, rad, in (−π/4, π/4]
-};
-/// Of the lowest `count` modes; empty where ψ = 0 throughout, as axes 1 and 2 are such axes.
-std::vector<EffectiveAxes> effective_axes(const Spacecraft& spacecraft, Index count);
-
-/// The modes of the twin of finite elements, the tilt among them named.
-ModesResult find_modes(const Spacecraft& spacecraft, const Mesh& mesh, const ModesOptions& options);
 
 }  // namespace gyromode

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "gyromode/discrete/discretise.h"
+#include "gyromode/modes/modes.h"
+
+namespace gyromode {
+
+/// The modes of the twin of finite elements, the tilt among them named.
+ModesResult find_modes(const Spacecraft& spacecraft, const Mesh& mesh, const ModesOptions& options);
+
+}  // namespace gyromode

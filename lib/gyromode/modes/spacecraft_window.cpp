@@ -1,0 +1,63 @@
+#include "gyromode/modes/spacecraft_window.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gyromode {
+
+Window cleared(Window w, const std::vector<Root>& roots) {
+  for (auto r = roots.rbegin(); r != roots.rend() && w.a > 0; ++r) {
+    if (std::abs(r->omega - w.a) <= 4 * open_error(*r)) w.a = std::max(0.0, r->omega - 16 * open_error(*r));
+  }
+  for (const Root& r : roots) {
+    if (std::abs(r.omega - w.b) <= 4 * open_error(r)) w.b = r.omega + 16 * open_error(r);
+  }
+  return w;
+}
+
+Window in_units(const Window& w, double unit, const Window& requested) {
+  return {w.a == requested.a / unit ? requested.a : w.a * unit, w.b == requested.b / unit ? requested.b : w.b * unit};
+}
+
+Window lowest_window(const SpacecraftSolution& s, Index lowest, const Window& requested) {
+  const bool infinite = s.impedance().continuous();
+  if (!infinite && lowest >= s.impedance().size()) return {requested.a, std::min(requested.b, s.above_all())};
+  const Index before = s.roots().below(requested.a);
+  const double highest = std::min(requested.b, infinite ? std::numeric_limits<double>::infinity() : s.above_all());
+  double b = std::max(2.0, 2 * requested.a);
+  while (s.roots().below(b) - before < lowest + 3 && b < highest) b *= 1.5;  // the tilt is among them, and one more shows the gap
+  const std::vector<Root> all = s.roots_around(requested.a, std::min(b, requested.b));
+  Index seen = 0;
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    if (all[i].omega < requested.a) continue;
+    if (!SpacecraftSolution::is_tilt(all[i])) ++seen;
+    const double from = all[i].omega + 4 * open_error(all[i]), to = all[i + 1].omega - 4 * open_error(all[i + 1]);
+    if (seen >= lowest && to > from) return {requested.a, std::min(0.5 * (from + to), requested.b)};
+  }
+  return {requested.a, std::min(b, requested.b)};
+}
+
+Coverage coverage_of(const SpacecraftSolution& s, const Window& requested, const Window& window, const std::vector<Root>& inside) {
+  Coverage c;
+  c.requested = requested;
+  c.window = window;
+  const Index zeros = window.a == 0 ? s.zeros() : 0;
+  c.found = static_cast<Index>(inside.size()) + zeros;
+  if (!s.roots().closed()) {
+    c.reason = s.roots().at_zero().doubtful ? "the static stiffness is singular to rounding" : "the index balance does not close: modes of negative energy or growing ones are missing";
+    return c;
+  }
+  if ((window.a > 0 && s.roots().doubtful_at(window.a)) || s.roots().doubtful_at(window.b)) {
+    c.reason = "an end of the window is on a root to rounding: move it";
+    return c;
+  }
+  c.counted = s.roots().count(window.a, window.b) + zeros;
+  c.status = *c.counted == c.found ? CoverageStatus::complete : CoverageStatus::incomplete;
+  if (c.status == CoverageStatus::incomplete) c.reason = fmt::format("{} modes were found, the exact impedance counts {}", c.found, *c.counted);
+  return c;
+}
+
+}  // namespace gyromode

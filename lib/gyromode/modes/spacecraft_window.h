@@ -1,0 +1,19 @@
+#pragma once
+
+#include "gyromode/modes/spacecraft_solution.h"
+
+namespace gyromode {
+
+/// The window over the spin, with each end that falls on one of the roots within its error moved outward.
+Window cleared(Window w, const std::vector<Root>& roots);
+
+/// Back in rad/s; an end that was not moved is exactly the one asked for.
+Window in_units(const Window& w, double unit, const Window& requested);
+
+/// [a, b) over the spin, with b in the gap after the `lowest`-th mode from a on that is no rigid-body one.
+Window lowest_window(const SpacecraftSolution& s, Index lowest, const Window& requested);
+
+/// Of the roots found inside, all over the spin.
+Coverage coverage_of(const SpacecraftSolution& s, const Window& requested, const Window& window, const std::vector<Root>& inside);
+
+}  // namespace gyromode
