@@ -40,6 +40,7 @@ dense::Method method_named(const std::string& name, bool spacecraft) {
   if (name == "first-order") return dense::Method::first_order;
   if (name == "symmetric-2n") return dense::Method::symmetric_2n;
   const bool boom = name == "exact" || name == "discrete";
+  if (spacecraft) throw dense::MethodDoesNotApply(fmt::format("method '{}' is not part of this version; a spacecraft takes 'exact' or 'discrete'", name));
   throw dense::MethodDoesNotApply(fmt::format("method '{}' {}; 'auto', 'quadrature', 'general', 'first-order' or 'symmetric-2n' apply", name,
                                               boom ? "serves spacecraft models with continuum booms, and this is a matrix model"
                                                    : "is not part of this version"));

@@ -6,6 +6,8 @@
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/structure/definiteness.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <type_traits>
 
@@ -30,8 +32,6 @@ Stiffness described(const Spacecraft& s) {
   return find_modes(s, options).stiffness;
 }
 
-Spacecraft without_ignored_couplings(const Spacecraft& s, const StructureOptions&) { return s; }
-
 std::vector<EffectiveAxes> axes_of(const Spacecraft& s) {
   constexpr Index lowest = 10;
   return effective_axes(s, lowest);
@@ -50,6 +50,17 @@ std::vector<HeldBoom> booms_of(const Matrices&) {
   return {};
 }
 
+template <class Matrices>
+Transformation at_frequency(const Matrices& system, const Structure& structure, const Options& o) {
+  return transformation_at(without_ignored_couplings(system, o.source.structure()), structure, frequency_option("--at", o.at));
+}
+
+Transformation at_frequency(const Spacecraft& spacecraft, const Structure& structure, const Options& o) {
+  const double omega = frequency_option("--at", o.at);
+  if (!(omega > 0)) throw UsageError(fmt::format("--at {}: a frequency above 0 was expected", o.at));
+  return transformation_at(spacecraft, structure, omega);
+}
+
 int run(const Options& o) {
   Job job(o.source, o.output);
   const io::StructureReport report = job.solve([&](const auto& system) {
@@ -60,7 +71,7 @@ int run(const Options& o) {
     r.stiffness = described(system);
     r.held_booms = booms_of(system);
     r.effective_axes = axes_of(system);
-    if (!o.at.empty()) r.at = transformation_at(without_ignored_couplings(system, o.source.structure()), r.structure, frequency_option("--at", o.at));
+    if (!o.at.empty()) r.at = at_frequency(system, r.structure, o);
     return r;
   });
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));

@@ -52,7 +52,7 @@ TEST(SpacecraftPromises, Parts) {
   EXPECT_NE(refusal([&] { Spacecraft(1, {100, skewed}); }).find("'inertia' must be symmetric: entries (1,2) = 3 and (2,1) = 0 differ"), std::string::npos);
   EXPECT_NE(refusal([] { Spacecraft(1, body, {}, {{0, true, 5, 0.1, {10, -1}, 0}}); }).find("beam 1: 'bending_stiffness' must be above 0: it is -1 N m²"), std::string::npos);
   const double rigid = std::numeric_limits<double>::infinity();
-  EXPECT_NE(refusal([&] { Spacecraft(1, body, {}, {}, {{{0.4, 0, 0}, 2, {0, 5, rigid}}}); }).find("along axis 1 must be above 0: a spring holds the mass at 0.4 m"), std::string::npos);
+  EXPECT_NE(refusal([&] { Spacecraft(1, body, {}, {}, {{{0.4, 0, 0}, 2, {0, 5, rigid}}}); }).find("'stiffness' must be above 0 (inf: rigid), or nothing holds the mass to the body: along axis 1 it is 0 N/m"), std::string::npos);
 }
 
 // By how much, in newtons and newton metres: S = ∫ r dm = 0.1·20.5 + 0.01·20·10.5 = 4.15 kg m.

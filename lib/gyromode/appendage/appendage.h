@@ -33,10 +33,11 @@ class Appendage {
   /// The same continued to complex ω (growth rate −Im ω): not Hermitian, analytic; `held` is left alone.
   virtual void add(Complex omega, Lifted& to, Index first) const = 0;
 
+  /// ∫ u dm in the plane of axes 1 and 2, of the displacement u relative to the body, for a null vector of the Lifted matrix: `body` its first six entries, `own` those of this appendage.
+  virtual Eigen::Vector2cd first_moment(double omega, const ComplexVector& body, const ComplexVector& own) const = 0;
   /// Lines for a picture.
   virtual std::vector<Outline> outlines() const = 0;
-  /// Displacement relative to the body of every point of the outlines (3 × points, one matrix an outline), for a null vector of the Lifted matrix: `body` its first six entries, `own`
-  /// those of this appendage (Boland & Janssens 1979, Eq. 15).
+  /// Displacement relative to the body of every point of the outlines (3 × points, one matrix an outline), for a null vector as above (Boland & Janssens 1979, Eq. 15).
   virtual std::vector<ComplexMatrix> displaced(double omega, const ComplexVector& body, const ComplexVector& own) const = 0;
 };
 

@@ -8,8 +8,8 @@ namespace {
 
 constexpr Index points_of_a_beam = 33;
 
-Index count_held(double own, double kappa, double tip_ratio) { return cantilever_poles_below(kappa, 1, tip_ratio) - (own < 0 ? 1 : 0); }
-Index count_held(const Complex&, const Complex&, double) { return 0; }
+Index count_held(double own, double kappa, double phi) { return cantilever_poles_below(kappa, 1, phi) - (own < 0 ? 1 : 0); }
+Index count_held(const Complex&, const Complex&, const Complex&) { return 0; }
 
 }  // namespace
 
@@ -89,8 +89,22 @@ void BeamAppendage::add_to(const T& omega, Lifted& to, Index first) const {
     to.matrix(at, at) = keep.own;
     to.matrix.row(at).head<body_coordinates>() = keep.right * (pole.e1 * right.row(0) + pole.e2 * right.row(1));
     to.matrix.col(at).head<body_coordinates>() = keep.left * (pole.e1 * left.row(0) + pole.e2 * left.row(1)).transpose();
-    to.held[static_cast<std::size_t>(at)] = count_held(keep.own, c.kappa[k], tip_ratio_);
+    to.held[static_cast<std::size_t>(at)] = count_held(keep.own, c.kappa[k], answer.phi);
   }
+}
+
+// ∫ψ of each cantilever is the first row of its answer; the part along e is −√s x (pole.h).
+Eigen::Vector2cd BeamAppendage::first_moment(double omega, const ComplexVector& body, const ComplexVector& own) const {
+  const Cantilevers<double> c = decoupled(omega);
+  const double weight = beam_.line_density * beam_.length * beam_.length * std::sqrt(beam_.length);
+  Eigen::Vector2cd moment = Eigen::Vector2cd::Zero();
+  for (Index k = 0; k < 2; ++k) {
+    const Answer<double> answer = cantilever_answer(c.kappa[k], 1, tip_ratio_);
+    const Complex integral = weight * first_of_answer(answer, own(k), loads(omega, c.phi[k], Complex(0, 1)) * body);
+    moment(0) += c.phi[k][0] * integral;
+    moment(1) += Complex(0, -1) * c.phi[k][1] * integral;  // Y = −jη
+  }
+  return moment;
 }
 
 std::vector<Outline> BeamAppendage::outlines() const {

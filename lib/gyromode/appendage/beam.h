@@ -30,6 +30,7 @@ class BeamAppendage : public Appendage {
   MassProperties rigid() const override;
   void add(double omega, Lifted& to, Index first) const override { add_to(omega, to, first); }
   void add(Complex omega, Lifted& to, Index first) const override { add_to(omega, to, first); }
+  Eigen::Vector2cd first_moment(double omega, const ComplexVector& body, const ComplexVector& own) const override;
   std::vector<Outline> outlines() const override;
   std::vector<ComplexMatrix> displaced(double omega, const ComplexVector& body, const ComplexVector& own) const override;
 

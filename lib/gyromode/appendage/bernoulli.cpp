@@ -109,12 +109,9 @@ Vector cantilever_shape(double kappa, double length, double tip_length, double f
   return shape;
 }
 
-Index cantilever_poles_below(double kappa, double length, double tip_length) {
-  const double beta = std::sqrt(std::sqrt(kappa));
-  const double b = beta * length;
-  const Index half_waves = static_cast<Index>(b / std::numbers::pi);  // one frequency in every interval [nπ, (n + 1)π)
-  const double sign = half_waves % 2 == 0 ? 1 : -1;
-  return half_waves + (sign * scaled_determinant(b, tip_length * beta) < 0 ? 1 : 0);
+Index cantilever_poles_below(double kappa, double length, double phi) {
+  const Index half_waves = static_cast<Index>(std::sqrt(std::sqrt(kappa)) * length / std::numbers::pi);
+  return half_waves + ((phi < 0) == (half_waves % 2 == 0) ? 1 : 0);
 }
 
 }  // namespace gyromode

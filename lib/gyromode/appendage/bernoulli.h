@@ -14,7 +14,7 @@ Answer<Complex> cantilever_answer(Complex kappa, double length, double tip_lengt
 /// That answer ψ at `stations` in [0, l] to the loads (first, second), for pictures: to some eight digits.
 Vector cantilever_shape(double kappa, double length, double tip_length, double first, double second, const std::vector<double>& stations);
 
-/// How many clamped frequencies, κ_n = ρω_n²/EI, are below κ ≥ 0.
-Index cantilever_poles_below(double kappa, double length, double tip_length);
+/// How many clamped frequencies, κ_n = ρω_n²/EI, are below κ ≥ 0: one in every interval [nπ, (n + 1)π) of κ^¼l, on a side that the sign of `phi` of the Answer tells.
+Index cantilever_poles_below(double kappa, double length, double phi);
 
 }  // namespace gyromode

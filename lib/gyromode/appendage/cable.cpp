@@ -1,7 +1,5 @@
 #include "gyromode/appendage/cable.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 
@@ -87,6 +85,37 @@ CableGroup::Answers<T> CableGroup::answers(const T& omega) const {
 }
 
 template CableGroup::Answers<double> CableGroup::answers(const double& omega) const;
+
+// Σ e_t ∫u dm over the wires, pattern by pattern and motion by motion of the body, so that in phase and in quadrature stay apart: features 1 and 2 are e_t.
+Eigen::Vector2cd CableGroup::first_moment(double omega, const ComplexVector& body, const ComplexVector& own) const {
+  const Answers<double> a = answers(omega);
+  const Pole<double> pole(a.in_plane);
+  const double border = kept(pole, a.in_plane.phi).left;
+  const auto motions = in_plane_motions(omega, body);
+  Eigen::Vector2cd moment = Eigen::Vector2cd::Zero();
+  for (Index q = 0; q < in_plane_.coupled; ++q) moment -= a.in_units[0] * border * pole.e1 * own(q) * in_plane_.response.row(q).head<2>().transpose();
+  for (Index k = 0; k < 5; ++k) {
+    const double answer = k < 4 ? a.in_units[0] * pole.regular11 : a.in_units[1] * pole.regular12;
+    moment += a.in_units[0] * answer * motions(k) * in_plane_.gram.col(k).head<2>();
+  }
+  return moment;
+}
+
+// Bξ, N(θ2, −θ1), φ3.
+Eigen::Matrix<Complex, 5, 1> CableGroup::in_plane_motions(double omega, const ComplexVector& body) const {
+  const Complex j(0, 1);
+  const Turning<double> f(omega, spin_, j);
+  Eigen::Matrix<Complex, 5, 1> m;
+  m << omega * body(0) + j * spin_ * body(1), -j * spin_ * body(0) + omega * body(1), f.p * body(4) - j * f.t * body(3), -j * f.t * body(4) - f.p * body(3), body(5);
+  return m;
+}
+
+// U = e_tᵀ(Bξ + hN(θ2, −θ1)) and θ_t.
+CableGroup::Loads CableGroup::loads_on(const Cable& c, double omega, const ComplexVector& body) const {
+  const auto m = in_plane_motions(omega, body);
+  const Eigen::Vector3d e = c.direction();
+  return {-e(1) * (m(0) + c.height * m(2)) + e(0) * (m(1) + c.height * m(3)), -e(1) * body(3) + e(0) * body(4)};
+}
 
 namespace {
 

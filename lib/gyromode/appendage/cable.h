@@ -40,6 +40,7 @@ class CableGroup : public Appendage {
   MassProperties rigid() const override;
   void add(double omega, Lifted& to, Index first) const override { add_to(omega, to, first); }
   void add(Complex omega, Lifted& to, Index first) const override { add_to(omega, to, first); }
+  Eigen::Vector2cd first_moment(double omega, const ComplexVector& body, const ComplexVector& own) const override;
   std::vector<Outline> outlines() const override;
   std::vector<ComplexMatrix> displaced(double omega, const ComplexVector& body, const ComplexVector& own) const override;
 
@@ -52,6 +53,11 @@ class CableGroup : public Appendage {
     std::array<WireField<T>, 2> field;
   };
 
+  struct Loads {
+    Complex uniform, turn;  // U and θ_t
+  };
+  Loads loads_on(const Cable& c, double omega, const ComplexVector& body) const;
+  Eigen::Matrix<Complex, 5, 1> in_plane_motions(double omega, const ComplexVector& body) const;
   Index count() const { return static_cast<Index>(cables_.size()); }
   std::vector<double> stations() const;  // z, from the tip
   template <class T>

@@ -42,13 +42,11 @@ std::vector<Outline> CableGroup::outlines() const {
 // In plane u = −U/p − rφ3/ω + AΦ, out of plane w = −ξ3/ω + rθ_t + AΦ, with AΦ(a) what makes the root 0. AΦ(a) = cᵀ(loads); of A itself the part along e is the kept coordinate
 // and the part across it is finite where Φ(a) = 0: c is a row of Q there.
 std::vector<ComplexMatrix> CableGroup::displaced(double omega, const ComplexVector& body, const ComplexVector& own) const {
-  const Complex j(0, 1);
   const Answers<double> a = answers(omega);
   const Pole<double> in(a.in_plane), out(a.out_of_plane);
   const double in_border = kept(in, a.in_plane.phi).left;
   const double out_border = kept(out, a.out_of_plane.phi).left;
   const double p = omega * omega + spin_ * spin_;
-  const double t = 2 * omega * spin_;
   const double mass = one_.mass(), reach = one_.reach();
   const double tension = one_.first_moment() * spin_ * spin_;
   const std::vector<double> z = stations();
@@ -57,16 +55,11 @@ std::vector<ComplexMatrix> CableGroup::displaced(double omega, const ComplexVect
   const Vector phi_out = along(lambda, z, tip_mass_ratio_, a.field[1].tip);
   const ComplexVector x_in = in_plane_.vectors * own.head(count());
   const ComplexVector x_out = out_of_plane_.vectors * own.tail(count());
-  const Complex v1 = omega * body(0) + j * spin_ * body(1);
-  const Complex v2 = -j * spin_ * body(0) + omega * body(1);
-  const Complex n1 = p * body(4) - j * t * body(3);
-  const Complex n2 = -j * t * body(4) - p * body(3);
   std::vector<ComplexMatrix> all;
   for (Index i = 0; i < count(); ++i) {
     const Cable& c = cables_[static_cast<std::size_t>(i)];
     const Eigen::Vector3d e = c.direction();
-    const Complex u = -e(1) * (v1 + c.height * n1) + e(0) * (v2 + c.height * n2);
-    const Complex turn = -e(1) * body(3) + e(0) * body(4);
+    const auto [u, turn] = loads_on(c, omega, body);
     const double c1 = 1 / p / a.in_units[0], c2 = c.radius / omega / a.in_units[1];
     const Complex amplitude_in = -(c1 * in.e1 + c2 * in.e2) * in_border * x_in(i) / in.a +
                                  a.in_units[1] * tension / (mass * mass * reach * reach * p) * in.e1 / (in.a * omega) *

@@ -59,6 +59,11 @@ inline Kept<double> kept(const Pole<double>& p, double phi) {
   const double border = std::sqrt(std::abs(p.a) / size);
   return {(p.a < 0 ? -phi : phi) / size, border, border};
 }
+/// (Cℓ)₁, what the field does against the first load: finite at a pole, where eᵀℓ a/φ = −√s x.
+inline Complex first_of_answer(const Answer<double>& answer, const Complex& x, const Eigen::Vector2cd& loads) {
+  const Pole<double> pole(answer);
+  return -kept(pole, answer.phi).left * x * pole.e1 + pole.regular11 * loads(0) + pole.regular12 * loads(1);
+}
 /// Complex: analytic.
 inline Kept<Complex> kept(const Pole<Complex>& p, const Complex& phi) { return {phi, 1, p.a}; }
 

@@ -44,6 +44,10 @@ SpringMassAppendage::SpringMassAppendage(const SpringMass& mass, double spin) : 
   }
 }
 
+double SpringMassAppendage::scale(double omega, Index a) const {
+  return 1 / std::sqrt(mass_.stiffness(sprung_[static_cast<std::size_t>(a)]) + mass_.mass * (omega * omega + spin_ * spin_));
+}
+
 template <class T>
 void SpringMassAppendage::add_to(const T& omega, Lifted& to, Index first) const {
   const Turning<T> plus(omega, spin_, Complex(0, 1)), minus(omega, spin_, Complex(0, -1));
@@ -51,16 +55,25 @@ void SpringMassAppendage::add_to(const T& omega, Lifted& to, Index first) const 
   const Eigen::Matrix3cd n = inertia(plus);
   for (Index a = 0; a < coordinates(); ++a) {
     const Index i = sprung_[static_cast<std::size_t>(a)];
-    for (Index b = 0; b < coordinates(); ++b) to.matrix(first + a, first + b) = mass_.mass * n(i, sprung_[static_cast<std::size_t>(b)]);
-    to.matrix(first + a, first + a) += mass_.stiffness(i);
-    to.matrix.row(first + a).head<body_coordinates>() = mass_.mass * right.row(i);
-    to.matrix.col(first + a).head<body_coordinates>() = mass_.mass * left.row(i).transpose();
+    const double s = scale(omega, a);
+    for (Index b = 0; b < coordinates(); ++b) to.matrix(first + a, first + b) = s * scale(omega, b) * mass_.mass * n(i, sprung_[static_cast<std::size_t>(b)]);
+    to.matrix(first + a, first + a) += s * s * mass_.stiffness(i);
+    to.matrix.row(first + a).head<body_coordinates>() = s * mass_.mass * right.row(i);
+    to.matrix.col(first + a).head<body_coordinates>() = s * mass_.mass * left.row(i).transpose();
   }
 }
 
-std::vector<ComplexMatrix> SpringMassAppendage::displaced(double, const ComplexVector&, const ComplexVector& own) const {
+Eigen::Vector2cd SpringMassAppendage::first_moment(double omega, const ComplexVector&, const ComplexVector& own) const {
+  Eigen::Vector2cd moment = Eigen::Vector2cd::Zero();
+  for (Index a = 0; a < coordinates(); ++a) {
+    if (sprung_[static_cast<std::size_t>(a)] < 2) moment(sprung_[static_cast<std::size_t>(a)]) = mass_.mass * scale(omega, a) * own(a);
+  }
+  return moment;
+}
+
+std::vector<ComplexMatrix> SpringMassAppendage::displaced(double omega, const ComplexVector&, const ComplexVector& own) const {
   ComplexMatrix u = ComplexMatrix::Zero(3, 1);
-  for (Index a = 0; a < coordinates(); ++a) u(sprung_[static_cast<std::size_t>(a)], 0) = own(a);
+  for (Index a = 0; a < coordinates(); ++a) u(sprung_[static_cast<std::size_t>(a)], 0) = scale(omega, a) * own(a);
   return {u};
 }
 

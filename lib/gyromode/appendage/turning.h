@@ -9,8 +9,7 @@ namespace gyromode {
 /// entries −m and −J33 in these coordinates, and nothing is lost at ω = Ω or ω → 0.
 inline constexpr Index body_coordinates = 6;
 
-/// B and N = B² on in-plane vectors, and the row that takes (θ1, θ2) to N(θ2, −θ1). The formal j is +j for H itself and −j for the left side of a border, so that everything is
-/// analytic in a complex ω.
+/// The numbers that B and N are made of. The formal j is +j for H itself and −j for the left side of a border, so that everything is analytic in a complex ω.
 template <class T>
 struct Turning {
   T omega, p, t;  // p = ω² + Ω², t = 2ωΩ

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace gyromode {
 
@@ -108,15 +107,16 @@ BlockState state_of(const Block& block, const Lifted& lifted) {
   } else {
     s.eigenvalues = Eigen::SelfAdjointEigenSolver<ComplexMatrix>(complex_block(block, lifted.matrix), Eigen::EigenvaluesOnly).eigenvalues();
   }
-  s.count = (s.eigenvalues.array() < 0).count();
-  for (const Index i : block.coordinates) s.count += lifted.held[static_cast<std::size_t>(i)];
+  for (const Index i : block.coordinates) s.held += lifted.held[static_cast<std::size_t>(i)];
+  s.count = s.held + (s.eigenvalues.array() < 0).count();
+  s.size = std::max(1.0, s.eigenvalues.cwiseAbs().maxCoeff());
   Index at = 0;
   s.eigenvalues.cwiseAbs().minCoeff(&at);
   s.nearest = s.eigenvalues(at);
   return s;
 }
 
-NearestEigenpair nearest_eigenpair(const Block& block, const Lifted& lifted, Index position) {
+BlockEigenpair eigenpair(const Block& block, const Lifted& lifted, Index position) {
   Vector values;
   ComplexMatrix vectors;
   if (block.real) {
@@ -131,12 +131,8 @@ NearestEigenpair nearest_eigenpair(const Block& block, const Lifted& lifted, Ind
     values = e.eigenvalues();
     vectors = e.eigenvectors();
   }
-  std::vector<Index> order(static_cast<std::size_t>(values.size()));
-  std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return std::abs(values(a)) < std::abs(values(b)); });
-  const Index at = order[static_cast<std::size_t>(position)];
-  NearestEigenpair found{values(at), ComplexVector::Zero(lifted.matrix.rows())};
-  for (std::size_t i = 0; i < block.coordinates.size(); ++i) found.vector(block.coordinates[i]) = vectors(static_cast<Index>(i), at);
+  BlockEigenpair found{values(position), ComplexVector::Zero(lifted.matrix.rows())};
+  for (std::size_t i = 0; i < block.coordinates.size(); ++i) found.vector(block.coordinates[i]) = vectors(static_cast<Index>(i), position);
   return found;
 }
 

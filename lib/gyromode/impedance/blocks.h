@@ -23,17 +23,19 @@ std::vector<Block> blocks_of(const LiftedImpedance& impedance);
 /// A block at one frequency: its eigenvalues, ascending, and n₋ of what it stands for.
 struct BlockState {
   Vector eigenvalues;
+  Index held = 0;        ///< Σ held of its coordinates
   Index count = 0;       ///< J(ω) = n₋(matrix) + Σ held, of one copy
   double nearest = 0;    ///< eigenvalue of least modulus
+  double size = 1;       ///< of the entries: the largest modulus of an eigenvalue, at least 1
 };
 BlockState state_of(const Block& block, const Lifted& lifted);
 
-/// Eigenvalue of least modulus with its vector in the coordinates of the Lifted matrix (zero elsewhere), 2-norm 1.
-struct NearestEigenpair {
+/// An eigenvalue with its vector in the coordinates of the Lifted matrix (zero elsewhere), 2-norm 1.
+struct BlockEigenpair {
   double value = 0;
   ComplexVector vector;
 };
-/// The `position`-th by modulus (0: the least).
-NearestEigenpair nearest_eigenpair(const Block& block, const Lifted& lifted, Index position = 0);
+/// The `position`-th, ascending.
+BlockEigenpair eigenpair(const Block& block, const Lifted& lifted, Index position);
 
 }  // namespace gyromode

@@ -29,7 +29,6 @@ bool CertifiedRoots::closed() const {
 
 // Around the seed the count must fall by one: where it does, and the eigenvalue there rises, is a mode of negative energy, whatever the seed was.
 void CertifiedRoots::find_negative(const std::vector<double>& seeds) {
-  const GrowingCount falling = [](Index, double, Index count) { return -count; };
   for (const double seed : seeds) {
     for (std::size_t b = 0; b < blocked_.blocks.size(); ++b) {
       if (static_.reduced[b] <= 0) continue;
@@ -39,8 +38,8 @@ void CertifiedRoots::find_negative(const std::vector<double>& seeds) {
         const BlockState before = state_of(blocked_.blocks[b], blocked_.impedance.at(lo));
         const BlockState after = state_of(blocked_.blocks[b], blocked_.impedance.at(hi));
         if (before.count - after.count != 1) continue;
-        const Bracket bracket{static_cast<Index>(b), lo, hi, -before.count, 1, -1, std::abs(before.nearest), std::abs(after.nearest)};
-        Root root = converge(blocked_, bracket, falling).front();
+        const Bracket bracket{static_cast<Index>(b), lo, hi, 1, before.count, -1, crossing(before, before.count, -1), crossing(after, before.count, -1)};
+        Root root = converge(blocked_, bracket).front();
         const bool known = std::any_of(negative_.begin(), negative_.end(), [&](const Root& r) {
           return r.block == root.block && std::abs(r.omega - root.omega) <= 4 * (r.error + root.error) + 1e-14 * root.omega;
         });
@@ -77,7 +76,7 @@ std::vector<Root> CertifiedRoots::between(double a, double b) const {
   const GrowingCount growing = [this](Index block, double omega, Index count) { return growing_count(block, omega, count); };
   std::vector<Root> roots;
   for (const Bracket& bracket : isolate(blocked_, a, b, growing)) {
-    for (Root& r : converge(blocked_, bracket, growing)) roots.push_back(std::move(r));
+    for (Root& r : converge(blocked_, bracket)) roots.push_back(std::move(r));
   }
   std::stable_sort(roots.begin(), roots.end(), [](const Root& x, const Root& y) { return x.omega < y.omega; });
   return roots;
@@ -97,8 +96,12 @@ Index CertifiedRoots::count(double a, double b) const { return below(b) - below(
 
 bool CertifiedRoots::doubtful_at(double omega) const {
   const Lifted lifted = blocked_.impedance.at(omega);
-  const double limit = 4 * blocked_.impedance.rounding(omega);
-  return std::any_of(blocked_.blocks.begin(), blocked_.blocks.end(), [&](const Block& b) { return std::abs(state_of(b, lifted).nearest) <= limit; });
+  constexpr double beyond_doubt = 64;  // far more than the errors of roots found: no root found below such an end is counted above it
+  const double limit = beyond_doubt * blocked_.impedance.rounding(omega);
+  return std::any_of(blocked_.blocks.begin(), blocked_.blocks.end(), [&](const Block& b) {
+    const BlockState s = state_of(b, lifted);
+    return std::abs(s.nearest) <= limit * s.size;
+  });
 }
 
 }  // namespace gyromode

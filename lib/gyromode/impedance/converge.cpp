@@ -7,22 +7,21 @@ namespace gyromode {
 
 namespace {
 
-// The eigenvalue that changes sign in the bracket, made positive below the root and negative above it whatever the energy.
+// crossing() of one bracket, with the narrowest ends at which it is beyond doubt.
 class Crossing {
  public:
-  Crossing(const BlockedImpedance& h, const Bracket& b, const GrowingCount& growing) : h_(h), bracket_(b), growing_(growing), lo_(b.lo), hi_(b.hi) {}
+  Crossing(const BlockedImpedance& h, const Bracket& b) : h_(h), bracket_(b), lo_(b.lo), hi_(b.hi) {}
 
   double operator()(double omega) { return look(omega, h_.impedance.at(omega)); }
 
   double look(double omega, const Lifted& lifted) {
     const BlockState s = state_of(h_.blocks[static_cast<std::size_t>(bracket_.block)], lifted);
-    const bool below = growing_(bracket_.block, omega, s.count) <= bracket_.below;
-    const double size = std::abs(s.nearest);
-    if (size > 8 * h_.impedance.rounding(omega)) {
-      double& end = below ? lo_ : hi_;
-      end = below ? std::max(end, omega) : std::min(end, omega);
+    const double value = crossing(s, bracket_.count, bracket_.change);
+    if (std::abs(s.nearest) > 8 * h_.impedance.rounding(omega) * s.size) {
+      if (value > 0) lo_ = std::max(lo_, omega);
+      else hi_ = std::min(hi_, omega);
     }
-    return below ? size : -size;
+    return value;
   }
   double lo() const { return lo_; }
   double hi() const { return hi_; }
@@ -30,7 +29,6 @@ class Crossing {
  private:
   const BlockedImpedance& h_;
   const Bracket& bracket_;
-  const GrowingCount& growing_;
   double lo_, hi_;
 };
 
@@ -39,10 +37,11 @@ class Crossing {
 double zero_of(Crossing& f, double a, double fa, double b, double fb) {
   constexpr double last_step = 1e-12;  // relative; convergence is faster than linear there
   constexpr double unit = 1.2e-16;
-  double c = a, fc = fa, t = 0.5;
-  if (fa == 0) return a;
-  if (fb == 0) return b;
-  t = std::clamp(fa / (fa - fb), 0.05, 0.95);
+  // The counts put the root inside, whatever rounding makes of an end that stands on a neighbour.
+  constexpr double least_value = 1e-300;
+  fa = std::max(fa, least_value);
+  fb = std::min(fb, -least_value);
+  double c = a, fc = fa, t = std::clamp(fa / (fa - fb), 0.05, 0.95);
   constexpr int most_steps = 200;
   for (int step = 0; step < most_steps; ++step) {
     const double x = a + t * (b - a);
@@ -81,13 +80,12 @@ double slope_between(const ComplexMatrix& at, const ComplexMatrix& beyond, const
 
 }  // namespace
 
-std::vector<Root> converge(const BlockedImpedance& h, const Bracket& bracket, const GrowingCount& growing) {
+std::vector<Root> converge(const BlockedImpedance& h, const Bracket& bracket) {
   const Block& block = h.blocks[static_cast<std::size_t>(bracket.block)];
   Root root;
   root.block = bracket.block;
-  root.together = bracket.roots * block.copies();
-  Crossing crossing(h, bracket, growing);
-  root.omega = bracket.roots == 1 ? zero_of(crossing, bracket.lo, bracket.nearest_lo, bracket.hi, -bracket.nearest_hi) : 0.5 * (bracket.lo + bracket.hi);
+  Crossing crossing(h, bracket);
+  root.omega = bracket.roots == 1 ? zero_of(crossing, bracket.lo, bracket.value_lo, bracket.hi, bracket.value_hi) : 0.5 * (bracket.lo + bracket.hi);
   const Lifted at = h.impedance.at(root.omega);
   const double step = 1e-6 * std::min(1.0, root.omega);
   const Lifted beyond = h.impedance.at(root.omega + step);
@@ -95,19 +93,22 @@ std::vector<Root> converge(const BlockedImpedance& h, const Bracket& bracket, co
   root.energy_sign = bracket.change == bracket.roots ? 1 : bracket.change == -bracket.roots ? -1 : 0;
   root.lo = crossing.lo();
   root.hi = crossing.hi();
+  const BlockState state = state_of(block, at);
+  const Index first = crossing_position(state, bracket.count, bracket.change);
+  const Index size = std::min(bracket.roots, block.size());
   std::vector<Root> found;
-  for (Index k = 0; k < std::min(bracket.roots, block.size()); ++k) {
-    NearestEigenpair pair = nearest_eigenpair(block, at, k);
+  for (Index k = 0; k < size; ++k) {
+    BlockEigenpair pair = eigenpair(block, at, std::clamp<Index>(bracket.change < 0 ? first - k : first + k, 0, block.size() - 1));
     root.value = pair.value;
     root.slope = slope_between(at.matrix, beyond.matrix, pair.vector, step);
     // The direction of a pole has no sign of its own, and may turn over between the two: not at both sides.
     if (root.slope * root.energy_sign > 0) root.slope = slope_between(at.matrix, h.impedance.at(root.omega - step).matrix, pair.vector, -step);
-    root.error = (std::abs(pair.value) + h.impedance.rounding(root.omega)) / std::abs(root.slope);
+    root.error = (std::abs(pair.value) + h.impedance.rounding(root.omega) * state.size) / std::abs(root.slope);
     root.vector = std::move(pair.vector);
     found.push_back(root);
   }
   for (const Index twin : block.twins) {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(std::min(bracket.roots, block.size())); ++k) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(size); ++k) {
       Root copy = found[k];
       std::swap(copy.vector(block.coordinates[0]), copy.vector(twin));
       found.push_back(std::move(copy));

@@ -2,27 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
 
 namespace {
 
-// The growing counts of all blocks at one frequency, their J, and how near each is to a root.
+// The growing counts of all blocks at one frequency, their J, and their eigenvalues.
 struct State {
   double omega = 0;
   std::vector<Index> count, plain;
-  std::vector<double> nearest;
+  std::vector<BlockState> block;
 };
 
 State state_at(const BlockedImpedance& h, double omega, const GrowingCount& growing) {
   const Lifted lifted = h.impedance.at(omega);
   State s{omega, {}, {}, {}};
   for (std::size_t b = 0; b < h.blocks.size(); ++b) {
-    const BlockState block = state_of(h.blocks[b], lifted);
+    BlockState block = state_of(h.blocks[b], lifted);
     s.count.push_back(growing(static_cast<Index>(b), omega, block.count));
     s.plain.push_back(omega == 0 ? s.count.back() : block.count);  // at 0⁺ as the caller knows it
-    s.nearest.push_back(std::abs(block.nearest));
+    s.block.push_back(std::move(block));
   }
   return s;
 }
@@ -32,6 +31,16 @@ struct Interval {
 };
 
 }  // namespace
+
+Index crossing_position(const BlockState& state, Index count_lo, Index change) { return count_lo - state.held - (change < 0 ? 1 : 0); }
+
+// Where the lifted coordinate of a pole has the other sign, the eigenvalue is not among those of the matrix: it is beyond the last of them.
+double crossing(const BlockState& state, Index count_lo, Index change) {
+  const Index n = state.eigenvalues.size();
+  const Index at = crossing_position(state, count_lo, change);
+  const double value = at >= n ? state.size : at < 0 ? -state.size : state.eigenvalues(at);
+  return change < 0 ? -value : value;
+}
 
 std::vector<Bracket> isolate(const BlockedImpedance& h, double a, double b, const GrowingCount& growing) {
   std::vector<Bracket> found;
@@ -47,14 +56,21 @@ std::vector<Bracket> isolate(const BlockedImpedance& h, double a, double b, cons
     if (more && !narrow) {
       State mid = state_at(h, 0.5 * (i.a.omega + i.b.omega), growing);
       // On a root to rounding a count may lie beyond those of its neighbours: it is theirs.
-      for (std::size_t k = 0; k < blocks; ++k) mid.count[k] = std::clamp(mid.count[k], std::min(i.a.count[k], i.b.count[k]), std::max(i.a.count[k], i.b.count[k]));
+      for (std::size_t k = 0; k < blocks; ++k) {
+        const Index theirs = std::clamp(mid.count[k], std::min(i.a.count[k], i.b.count[k]), std::max(i.a.count[k], i.b.count[k]));
+        mid.plain[k] += theirs - mid.count[k];
+        mid.count[k] = theirs;
+      }
       open.push_back({mid, i.b});
       open.push_back({i.a, std::move(mid)});
       continue;
     }
     for (std::size_t k = 0; k < blocks; ++k) {
       const Index roots = i.b.count[k] - i.a.count[k];
-      if (roots > 0) found.push_back({static_cast<Index>(k), i.a.omega, i.b.omega, i.a.count[k], roots, i.b.plain[k] - i.a.plain[k], i.a.nearest[k], i.b.nearest[k]});
+      if (roots <= 0) continue;
+      const Index change = i.b.plain[k] - i.a.plain[k];
+      found.push_back({static_cast<Index>(k), i.a.omega, i.b.omega, roots, i.a.plain[k], change, crossing(i.a.block[k], i.a.plain[k], change),
+                       crossing(i.b.block[k], i.a.plain[k], change)});
     }
   }
   return found;

@@ -23,11 +23,16 @@ using GrowingCount = std::function<Index(Index block, double omega, Index count)
 struct Bracket {
   Index block = 0;
   double lo = 0, hi = 0;
-  Index below = 0;   ///< growing count at lo
   Index roots = 1;
-  Index change = 1;      ///< of J itself from lo to hi: each root of positive energy adds one, each of negative energy takes one away
-  double nearest_lo = 0, nearest_hi = 0;  ///< modulus of the block's eigenvalue nearest to zero at the ends
+  Index count = 0;       ///< J itself at lo
+  Index change = 1;      ///< of J from lo to hi: each root of positive energy adds one, each of negative energy takes one away
+  double value_lo = 0, value_hi = 0;  ///< crossing() at the ends, for one root
 };
+
+/// The eigenvalue of a block that passes zero at the one root of a bracket, made positive below the root and negative above it. Sorted eigenvalues keep their places: with J at the lower end it is
+/// the (J − Σ held)-th that falls through zero where the energy is positive, the one before that rises where it is negative.
+double crossing(const BlockState& state, Index count_lo, Index change);
+Index crossing_position(const BlockState& state, Index count_lo, Index change);
 
 /// Bisection of the count until every bracket holds one root, or neighbours that rounding does not tell apart.
 std::vector<Bracket> isolate(const BlockedImpedance& h, double a, double b, const GrowingCount& growing);

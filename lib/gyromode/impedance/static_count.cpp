@@ -1,7 +1,6 @@
 #include "gyromode/impedance/static_count.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gyromode {
 
@@ -24,15 +23,19 @@ Block without(const Block& b, const std::vector<Index>& left_out) {
 
 StaticCount static_count(const BlockedImpedance& h, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros) {
   const Lifted lifted = h.impedance.at(0.0);
-  const double limit = 16 * h.impedance.rounding(0);
+  constexpr double nothing = 16;
+  const double rounding = nothing * h.impedance.rounding(0);
   StaticCount s;
   Index found = 0;
   for (const Block& b : h.blocks) {
-    const auto zero_or_less = [&](const Vector& e) { return (e.array().abs() <= limit && e.array() >= 0).count(); };
+    const auto nearly_zero = [&](const BlockState& e) -> Index { return (e.eigenvalues.array().abs() <= rounding * e.size).count(); };
+    const auto zero_from_above = [&](const BlockState& e) -> Index {
+      return (e.eigenvalues.array().abs() <= rounding * e.size && e.eigenvalues.array() >= 0).count();
+    };
     const BlockState state = state_of(b, lifted);
-    const Index nearly = (state.eigenvalues.array().abs() <= limit).count();
+    const Index nearly = nearly_zero(state);
     found += nearly * b.copies();
-    const Index count = state.count + zero_or_less(state.eigenvalues);
+    const Index count = state.count + zero_from_above(state);
     const Index of_free = std::count_if(b.coordinates.begin(), b.coordinates.end(), [&](Index i) { return in(free, i); });
     s.count.push_back(count);
     s.reduced.push_back(count - of_free - nearly);
@@ -40,7 +43,7 @@ StaticCount static_count(const BlockedImpedance& h, const std::vector<Index>& fr
     if (held.size() == 0) continue;
     const BlockState still = state_of(held, lifted);
     const Index free_left = std::count_if(held.coordinates.begin(), held.coordinates.end(), [&](Index i) { return in(free, i); });
-    s.negative += (still.count + zero_or_less(still.eigenvalues) - free_left - nearly) * b.copies();
+    s.negative += (still.count + zero_from_above(still) - free_left - nearly_zero(still)) * b.copies();
   }
   s.doubtful = found != zeros;
   if (s.doubtful) {  // then roots are sought from a little above 0, and not called complete

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gyromode {
@@ -12,26 +13,36 @@ namespace gyromode {
 ModesResult find_modes(const Spacecraft& spacecraft, const Mesh& mesh, const ModesOptions& options) {
   const System whole = discretise(spacecraft, mesh);
   const WithoutSpinPhase rest(whole, spin_phase_of_twin);
-  ModesResult r = find_modes(rest.system(), options);
-  bool tilt_named = false;
+  ModesOptions asked = options;
+  if (asked.lowest) asked.lowest = *asked.lowest + 1;  // the tilt may be among them
+  ModesResult r = find_modes(rest.system(), asked);
+  const auto tilt = std::min_element(r.modes.begin(), r.modes.end(), [&](const Mode& x, const Mode& y) {
+    return std::abs(x.omega - spacecraft.spin()) < std::abs(y.omega - spacecraft.spin());
+  });
+  constexpr double rounding = 1e-9;  // linear elements have the tilt exactly
+  const bool has_tilt = tilt != r.modes.end() && std::abs(tilt->omega - spacecraft.spin()) <= rounding * spacecraft.spin();
+  if (has_tilt) tilt->kind = ModeKind::rigid_body;
+  if (options.lowest && !has_tilt && static_cast<Index>(r.modes.size()) > *options.lowest) {
+    ModesOptions fewer = options;
+    r = find_modes(rest.system(), fewer);
+  }
   for (Mode& m : r.modes) {
     if (options.shapes) m.shape = normalised(rest.restored(m.shape, m.omega));
-    if (tilt_named || !(std::abs(m.omega - spacecraft.spin()) <= 8 * m.error_bound + 1e-12 * spacecraft.spin())) continue;
-    m.kind = ModeKind::rigid_body;
-    tilt_named = true;
   }
   r.structure = analyse(whole, options.structure);
-  r.index_balance.zero += 1;
-  r.stiffness.zero += 1;
+  r.index_balance.zero += 2;
+  r.stiffness.zero += 2;
   if (r.stiffness.sign == Sign::positive) r.stiffness.sign = Sign::semidefinite;
   if (r.coverage.window.a == 0) {
-    Mode spin;
-    spin.kind = ModeKind::rigid_body;
-    spin.energy_sign = 0;
+    Mode axial;  // no coordinate of the twin moves in it
+    axial.kind = ModeKind::rigid_body;
+    axial.energy_sign = 0;
+    if (options.shapes) axial.shape = ComplexVector::Zero(whole.size());
+    Mode spin = axial;
     if (options.shapes) spin.shape = ComplexVector::Unit(whole.size(), spin_phase_of_twin);
-    r.modes.insert(r.modes.begin(), std::move(spin));
-    r.coverage.found += 1;
-    if (r.coverage.counted) *r.coverage.counted += 1;
+    r.modes.insert(r.modes.begin(), {axial, spin});
+    r.coverage.found += 2;
+    if (r.coverage.counted) *r.coverage.counted += 2;
   }
   r.path = fmt::format("finite elements ({} a cable, degree {}), spin phase apart: ", mesh.elements, mesh.degree) + r.path;
   return r;

@@ -3,6 +3,8 @@
 #include "gyromode/modes/spacecraft_shapes.h"
 #include "gyromode/modes/spacecraft_window.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,11 +33,19 @@ Mode mode_of(const SpacecraftSolution& s, const Root& r, bool with_shape) {
   m.omega = tilt ? s.unit() : r.omega * s.unit();
   m.energy_sign = r.energy_sign;
   m.residual = std::abs(r.value / (r.omega * r.slope));
-  m.error_bound = r.error * s.unit();
+  m.error_bound = tilt ? 0 : r.error * s.unit();
   m.bracket = std::array{std::min(r.lo, r.omega) * s.unit(), std::max(r.hi, r.omega) * s.unit()};
   m.kind = tilt ? ModeKind::rigid_body : body_at_rest(r) ? ModeKind::local : ModeKind::vibration;
   if (with_shape) add_shape(s, r, m);
   return m;
+}
+
+// A wire's field is marched in some ω/Ω steps.
+void require_within_reach(const Spacecraft& s, const Window& w) {
+  constexpr double farthest = 1e7;
+  const double highest = w.open() ? w.a : w.b;
+  if (s.cables().empty() || !(highest > farthest * s.spin())) return;
+  throw std::invalid_argument(fmt::format("{:.6g} rad/s is beyond reach: fields of wires are followed up to {:.0e} times the spin, {:.6g} rad/s", highest, farthest, farthest * s.spin()));
 }
 
 }  // namespace
@@ -50,6 +60,7 @@ ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options
   if (options.method != dense::Method::automatic) {
     throw dense::MethodDoesNotApply("the methods 'quadrature', 'general', 'first-order' and 'symmetric-2n' serve matrices; a spacecraft takes 'exact' or 'discrete'");
   }
+  require_within_reach(spacecraft, options.window);
   const SpacecraftSolution s(spacecraft);
   if (options.window.open() && !options.lowest && s.impedance().continuous()) {
     throw std::invalid_argument("a spacecraft with exact booms has infinitely many modes: a window with two ends or the number of lowest ones is needed");
@@ -58,8 +69,8 @@ ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options
   Window window{options.window.a / unit, options.window.b / unit};
   if (window.open() && !s.impedance().continuous()) window.b = std::max(s.above_all(), 2 * window.a);
   if (options.lowest) window = lowest_window(s, *options.lowest, window);
+  window = s.cleared(window);
   const std::vector<Root> around = s.roots_around(window.a, window.b);
-  window = cleared(window, around);
   std::vector<Root> inside;
   std::copy_if(around.begin(), around.end(), std::back_inserter(inside), [&](const Root& r) { return window.contains(r.omega); });
 
@@ -91,18 +102,13 @@ ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options
 
 CountResult count_modes(const Spacecraft& spacecraft, const Window& requested, const StructureOptions&) {
   require_window(requested);
+  require_within_reach(spacecraft, requested);
   const SpacecraftSolution s(spacecraft);
   if (requested.open() && s.impedance().continuous()) throw std::invalid_argument("a spacecraft with exact booms has infinitely many modes: a window with two ends is needed");
   const double unit = s.unit();
   Window window{requested.a / unit, requested.b / unit};
   if (window.open()) window.b = std::max(s.above_all(), 2 * window.a);
-  constexpr double near = 1e-9;
-  std::vector<Root> ends;
-  for (const double end : {window.a, window.b}) {
-    if (end == 0) continue;
-    for (Root& r : s.roots().between(end * (1 - near), end * (1 + near))) ends.push_back(std::move(r));
-  }
-  const Window used = cleared(window, ends);
+  const Window used = s.cleared(window);
   CountResult c;
   c.requested = requested;
   c.window = in_units(used, unit, requested);
@@ -126,6 +132,7 @@ CountResult count_modes(const Spacecraft& spacecraft, const Window& requested, c
 }
 
 Transformation transformation_at(const Spacecraft& spacecraft, const Structure& structure, double omega) {
+  require_within_reach(spacecraft, {0, omega});
   return transformation_of(SpacecraftImpedance(spacecraft).hub(omega), structure, omega);
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace gyromode {
 
@@ -19,7 +20,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Where the static stiffness is indefinite, the twin of finite elements knows where negative energy and growth may be.
 Seeds seeds_of(const Spacecraft& s) {
-  constexpr Mesh mesh{2, 8};
+  // Some 400 coordinates at most: this is a dense eigenproblem.
+  const Index wires = std::max<Index>(1, static_cast<Index>(s.cables().size() + s.beams().size()));
+  const Mesh mesh{1, std::clamp<Index>(200 / wires, 4, 16)};
   constexpr double highest = 30;  // spins: growth and negative energy are slow motions
   Seeds seeds;
   try {
@@ -62,8 +65,8 @@ IndexBalance SpacecraftSolution::balance() const {
 Stability SpacecraftSolution::stability() const {
   constexpr double rounding = 1e-13;  // opposite signs nearer than this may be turned into flutter by it
   if (!roots_.growing().empty()) return Stability::unstable;
-  if (roots_.at_zero().doubtful || opposite_gap_ <= rounding) return Stability::marginal;
   if (!roots_.closed()) return Stability::unknown;
+  if (opposite_gap_ <= rounding) return Stability::marginal;
   return roots_.negative_energy().empty() ? Stability::stable : Stability::gyroscopically_stabilised;
 }
 
@@ -94,14 +97,30 @@ std::string SpacecraftSolution::path() const {
 
 double SpacecraftSolution::above_all() const {
   const auto& blocked = roots_.blocked();
-  constexpr double farthest = 1e9;
-  for (double b = 2; b < farthest; b *= 2) {
+  constexpr double farthest = 1e150;
+  for (double b = 2; b < farthest; b *= 4) {
     const Lifted lifted = blocked.impedance.at(b);
     Index count = 0;
     for (const Block& block : blocked.blocks) count += state_of(block, lifted).count * block.copies();
     if (count == blocked.impedance.size()) return b;
   }
-  return farthest;
+  throw std::invalid_argument("no frequency above every mode was found: some spring is stiffer than numbers allow; make it rigid (inf)");
+}
+
+Window SpacecraftSolution::cleared(Window w) const {
+  constexpr double first_step = 1e-14;
+  const auto moved = [&](double end, double way) {
+    double step = first_step;
+    double at = end;
+    while (roots_.doubtful_at(at) && step < 1e-3) {
+      at = end * (1 + way * step);
+      step *= 2;
+    }
+    return at;
+  };
+  if (w.a > 0) w.a = moved(w.a, -1);
+  w.b = moved(w.b, 1);
+  return w;
 }
 
 std::vector<Root> SpacecraftSolution::roots_around(double a, double b) const {
@@ -124,12 +143,13 @@ void SpacecraftSolution::name_tilt(std::vector<Root>& all) const {
     }
   }
   if (!tilt) return;
+  tilt->rigid = true;
   tilt->omega = 1;
   tilt->value = 0;
-  tilt->error = 0;
   tilt->vector.setZero();
   tilt->vector(3) = 1;
   tilt->vector(4) = Complex(0, 1);
+  std::stable_sort(all.begin(), all.end(), [](const Root& x, const Root& y) { return x.omega < y.omega; });
 }
 
 Structure structure_of(const BlockedImpedance& h) {

@@ -23,12 +23,14 @@ class SpacecraftSolution {
   /// Smallest relative distance of a mode of negative energy to one of positive energy in its block; infinite where there is none.
   double opposite_gap() const { return opposite_gap_; }
   std::string path() const;
-  /// A frequency above every mode of a body without booms: there J has counted each coordinate.
+  /// A frequency above every mode of a body without booms: there J has counted each coordinate. Throws std::invalid_argument where there is none.
   double above_all() const;
 
   /// Roots in a little more than [a, b), so that what stands on an end is seen; the tilt of the momentum axis among them named (is_tilt) and exactly at Ω.
   std::vector<Root> roots_around(double a, double b) const;
-  static bool is_tilt(const Root& r) { return r.omega == 1 && r.error == 0; }
+  static bool is_tilt(const Root& r) { return r.rigid; }
+  /// The window with each end that is on a root to rounding moved outward, as far as it takes for the count there to be beyond doubt. It depends on the ends alone.
+  Window cleared(Window w) const;
 
  private:
   void name_tilt(std::vector<Root>& all) const;

@@ -8,16 +8,6 @@
 
 namespace gyromode {
 
-Window cleared(Window w, const std::vector<Root>& roots) {
-  for (auto r = roots.rbegin(); r != roots.rend() && w.a > 0; ++r) {
-    if (std::abs(r->omega - w.a) <= 4 * open_error(*r)) w.a = std::max(0.0, r->omega - 16 * open_error(*r));
-  }
-  for (const Root& r : roots) {
-    if (std::abs(r.omega - w.b) <= 4 * open_error(r)) w.b = r.omega + 16 * open_error(r);
-  }
-  return w;
-}
-
 Window in_units(const Window& w, double unit, const Window& requested) {
   return {w.a == requested.a / unit ? requested.a : w.a * unit, w.b == requested.b / unit ? requested.b : w.b * unit};
 }
@@ -52,6 +42,12 @@ Coverage coverage_of(const SpacecraftSolution& s, const Window& requested, const
   }
   if ((window.a > 0 && s.roots().doubtful_at(window.a)) || s.roots().doubtful_at(window.b)) {
     c.reason = "an end of the window is on a root to rounding: move it";
+    return c;
+  }
+  for (const Root& r : inside) {
+    if (std::isfinite(r.error) && r.omega > 0) continue;
+    c.status = CoverageStatus::incomplete;
+    c.reason = fmt::format("the root near ω = {:.6g} did not settle", r.omega * s.unit());
     return c;
   }
   c.counted = s.roots().count(window.a, window.b) + zeros;

@@ -4,9 +4,6 @@
 
 namespace gyromode {
 
-/// The window over the spin, with each end that falls on one of the roots within its error moved outward.
-Window cleared(Window w, const std::vector<Root>& roots);
-
 /// Back in rad/s; an end that was not moved is exactly the one asked for.
 Window in_units(const Window& w, double unit, const Window& requested);
 

@@ -50,7 +50,7 @@ std::vector<double> lowest(const Appendage& appendage, double spin, Index of, In
     found.clear();
     for (const Bracket& b : isolate(blocked, 0, top, as_counted)) {
       const auto& c = blocked.blocks[static_cast<std::size_t>(b.block)].coordinates;
-      if (std::find(c.begin(), c.end(), of) != c.end()) found.push_back(converge(blocked, b, as_counted).front().omega);
+      if (std::find(c.begin(), c.end(), of) != c.end()) found.push_back(converge(blocked, b).front().omega);
     }
   }
   std::sort(found.begin(), found.end());

@@ -66,8 +66,6 @@ Index neutral_patterns_of(const std::vector<Cable>& cables) {
   return felt.cols() - qr.rank();
 }
 
-double tilt_scale(double omega) { return 1 / std::sqrt(1 + omega * omega); }
-double tilt_scale(const Complex&) { return 1; }  // analytic
 
 }  // namespace
 
@@ -95,6 +93,8 @@ void SpacecraftImpedance::take(std::unique_ptr<Appendage> appendage) {
 // The frozen satellite: −m on ξ, −J33 on φ3, and on θ1, θ2 (docs/booms.md (B3))
 //     [Ω²(J33 − J22) − ω²J11    (Ω² − ω²)J12 − jωΩ(J11 + J22 − J33)]
 //     [·                        Ω²(J33 − J11) − ω²J22              ].
+double SpacecraftImpedance::tilt_scale(double omega) const { return 1 / std::sqrt((1 + omega * omega) * std::max({1.0, inertia_(0, 0), inertia_(1, 1)})); }
+
 template <class T>
 void SpacecraftImpedance::add_all(const T& omega, Lifted& to) const {
   to.matrix.setZero(size_, size_);
@@ -131,18 +131,13 @@ double SpacecraftImpedance::rounding(double omega) const {
   return std::numeric_limits<double>::epsilon() * (static_cast<double>(size_) + 2 * omega);
 }
 
-// ζ = B⁻¹ξ; the first row of H without its factor B gives it where B is singular: mζ is minus the first moment of the motion relative to the body.
+// In the plane ζ is minus the first moment of the motion relative to the body, as the mass centre rests; B⁻¹ξ is not to be had at Ω.
 ComplexVector SpacecraftImpedance::body_motion(double omega, const ComplexVector& x) const {
-  const Complex j(0, 1);
-  const double scale = tilt_scale(omega);
+  const ComplexVector y = body_vector(omega, x);
+  Eigen::Vector2cd moment = Eigen::Vector2cd::Zero();
+  for (const Part& part : parts_) moment += part.appendage->first_moment(omega, y, x.segment(part.first, part.appendage->coordinates()));
   ComplexVector q(6);
-  const double determinant = (omega - 1) * (omega + 1);
-  q(0) = length_ * (omega * x(0) - j * x(1)) / determinant;
-  q(1) = length_ * (j * x(0) + omega * x(1)) / determinant;
-  q(2) = length_ * x(2) / omega;
-  q(3) = scale * x(3);
-  q(4) = scale * x(4);
-  q(5) = x(5) / omega;
+  q << -length_ * moment(0), -length_ * moment(1), length_ * y(2) / omega, y(3), y(4), y(5) / omega;
   return q;
 }
 

@@ -9,7 +9,7 @@ namespace gyromode {
 
 /// The exact impedance of a satellite on (ξ1, ξ2, ξ3, θ1, θ2, φ3) of its mass centre P (Turning) and the coordinates of its appendages; equal cables share their fields.
 ///
-/// Dimensionless: mass in units of the whole, time in 1/spin, length √(J33/m). θ1 and θ2 are divided by √(1 + ω²).
+/// Dimensionless: mass in units of the whole, time in 1/spin, length √(J33/m). θ1 and θ2 are divided by √(1 + ω²), and by what the largest inertia asks for.
 class SpacecraftImpedance : public LiftedImpedance {
  public:
   explicit SpacecraftImpedance(const Spacecraft& s);
@@ -46,6 +46,8 @@ class SpacecraftImpedance : public LiftedImpedance {
   Index neutral_patterns() const { return neutral_patterns_; }
 
  private:
+  double tilt_scale(double omega) const;
+  static double tilt_scale(const Complex&) { return 1; }  // analytic
   template <class T>
   void add_all(const T& omega, Lifted& to) const;
   void take(std::unique_ptr<Appendage> appendage);
