@@ -87,7 +87,7 @@ std::vector<Root> converge(const BlockedImpedance& h, const Bracket& bracket) {
   Crossing crossing(h, bracket);
   root.omega = bracket.roots == 1 ? zero_of(crossing, bracket.lo, bracket.value_lo, bracket.hi, bracket.value_hi) : 0.5 * (bracket.lo + bracket.hi);
   const Lifted at = h.impedance.at(root.omega);
-  const double step = 1e-6 * std::min(1.0, root.omega);
+  const double step = std::clamp(1e-6 * (bracket.hi - bracket.lo), 1e-10 * root.omega, 1e-6 * root.omega);
   const Lifted beyond = h.impedance.at(root.omega + step);
   if (bracket.roots == 1) crossing.look(root.omega + step, beyond);
   root.energy_sign = bracket.change == bracket.roots ? 1 : bracket.change == -bracket.roots ? -1 : 0;

@@ -10,22 +10,29 @@
 
 namespace gyromode {
 
+namespace {
+
+// The mode at the spin, which linear elements have exactly.
+bool name_tilt(ModesResult& r, double spin) {
+  constexpr double rounding = 1e-9;
+  const auto tilt = std::min_element(r.modes.begin(), r.modes.end(), [&](const Mode& x, const Mode& y) { return std::abs(x.omega - spin) < std::abs(y.omega - spin); });
+  if (tilt == r.modes.end() || !(std::abs(tilt->omega - spin) <= rounding * spin)) return false;
+  tilt->kind = ModeKind::rigid_body;
+  return true;
+}
+
+}  // namespace
+
 ModesResult find_modes(const Spacecraft& spacecraft, const Mesh& mesh, const ModesOptions& options) {
   const System whole = discretise(spacecraft, mesh);
   const WithoutSpinPhase rest(whole, spin_phase_of_twin);
-  ModesOptions asked = options;
-  if (asked.lowest) asked.lowest = *asked.lowest + 1;  // the tilt may be among them
-  ModesResult r = find_modes(rest.system(), asked);
-  const auto tilt = std::min_element(r.modes.begin(), r.modes.end(), [&](const Mode& x, const Mode& y) {
-    return std::abs(x.omega - spacecraft.spin()) < std::abs(y.omega - spacecraft.spin());
-  });
-  constexpr double rounding = 1e-9;  // linear elements have the tilt exactly
-  const bool has_tilt = tilt != r.modes.end() && std::abs(tilt->omega - spacecraft.spin()) <= rounding * spacecraft.spin();
-  if (has_tilt) tilt->kind = ModeKind::rigid_body;
-  if (options.lowest && !has_tilt && static_cast<Index>(r.modes.size()) > *options.lowest) {
-    ModesOptions fewer = options;
-    r = find_modes(rest.system(), fewer);
+  ModesResult r = find_modes(rest.system(), options);
+  if (options.lowest && name_tilt(r, spacecraft.spin())) {  // it is not one of those asked for
+    ModesOptions one_more = options;
+    one_more.lowest = *options.lowest + 1;
+    r = find_modes(rest.system(), one_more);
   }
+  name_tilt(r, spacecraft.spin());
   for (Mode& m : r.modes) {
     if (options.shapes) m.shape = normalised(rest.restored(m.shape, m.omega));
   }

@@ -80,6 +80,11 @@ SpacecraftImpedance::SpacecraftImpedance(const Spacecraft& s) : spin_(s.spin()),
     for (const Cable& c : group) scaled.push_back(units.of(c, s.centre()));
     take(std::make_unique<CableGroup>(std::move(scaled), 1));
   }
+  wire_phase_ = s.cables().empty() ? 0 : 2;
+  for (const Beam& b : s.beams()) {
+    const double soft = std::min(b.bending_stiffness[0], b.bending_stiffness[1]);
+    beam_phase_ = std::max(beam_phase_, std::sqrt(std::sqrt(b.line_density * spin_ * spin_ / soft)) * b.length);
+  }
   for (const Beam& b : s.beams()) take(std::make_unique<BeamAppendage>(units.of(b, s.centre()), 1));
   for (const SpringMass& m : s.masses()) take(std::make_unique<SpringMassAppendage>(units.of(m, s.centre()), 1));
 }
@@ -126,9 +131,9 @@ ComplexMatrix SpacecraftImpedance::at(Complex omega) const {
   return std::move(l.matrix);
 }
 
-// Errors of the fields grow as their phase, some 2ω/Ω (appendage/wire_field.h).
+// Errors of the fields grow as their phase: some 2ω/Ω in a wire (appendage/wire_field.h), (ρω²l⁴/EI)^¼ in a boom.
 double SpacecraftImpedance::rounding(double omega) const {
-  return std::numeric_limits<double>::epsilon() * (static_cast<double>(size_) + 2 * omega);
+  return std::numeric_limits<double>::epsilon() * (static_cast<double>(size_) + wire_phase_ * omega + beam_phase_ * std::sqrt(omega + 1));
 }
 
 // In the plane ζ is minus the first moment of the motion relative to the body, as the mass centre rests; B⁻¹ξ is not to be had at Ω.

@@ -58,6 +58,7 @@ class SpacecraftImpedance : public LiftedImpedance {
   Index size_ = body_coordinates;
   Index neutral_patterns_ = 0;
   bool continuous_ = false;
+  double wire_phase_ = 0, beam_phase_ = 0;  // of the fields, by ω and √(ω + 1)
 };
 
 }  // namespace gyromode
