@@ -15,20 +15,28 @@ def run(*arguments, cwd=None):
     return subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=60)
 
 
-class Errors(unittest.TestCase):
+class Program(unittest.TestCase):
+    def refused(self, code, expected, *arguments):
+        """The exit code, and one line of message that holds the expected words."""
+        result = run(*arguments)
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        for word in expected:
+            self.assertIn(word, result.stderr)
+
+    def json(self, *arguments):
+        result = run(*arguments, "--format", "json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(result.stdout)
+
+
+class Errors(Program):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.path = pathlib.Path(self.folder.name)
 
     def tearDown(self):
         self.folder.cleanup()
-
-    def refused(self, code, expected, *arguments):
-        result = run(*arguments)
-        self.assertEqual(result.returncode, code, result.stderr)
-        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
-        for word in expected:
-            self.assertIn(word, result.stderr)
 
     def model(self, text):
         file = self.path / "m.toml"
@@ -94,12 +102,7 @@ class Errors(unittest.TestCase):
         self.assertEqual(sorted(p.name for p in self.path.iterdir()), ["result.json"])
 
 
-class Results(unittest.TestCase):
-    def json(self, *arguments):
-        result = run(*arguments, "--format", "json")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        return json.loads(result.stdout)
-
+class Results(Program):
     def test_modes(self):
         r = self.json("modes", MODELS / "rigid_body.toml", "--shapes")
         self.assertEqual(r["model"]["coordinates"], 2)
@@ -156,16 +159,8 @@ class Results(unittest.TestCase):
             self.assertEqual([m["omega"] for m in r["modes"]], [m["omega"] for m in s["modes"]])
 
 
-class Spacecraft(unittest.TestCase):
-    json = Results.json
+class Spacecraft(Program):
     GEOS = MODELS / "geos.toml"
-
-    def refused(self, code, expected, *arguments):
-        result = run(*arguments)
-        self.assertEqual(result.returncode, code, result.stderr)
-        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
-        for word in expected:
-            self.assertIn(word, result.stderr)
 
     def test_modes(self):
         r = self.json("modes", self.GEOS, "--below", "400rpm")
@@ -209,6 +204,10 @@ class Spacecraft(unittest.TestCase):
         self.refused(1, ["--elements"], "modes", self.GEOS, "--elements", "20")
         self.refused(1, ["--elements"], "modes", MODELS / "wiresaw.toml", "--elements", "20")
         self.refused(3, ["--keep", "matrix models"], "modes", self.GEOS, "--keep", "theta1")
+        self.refused(3, ["--coupling-tolerance", "matrix models"], "modes", self.GEOS, "--coupling-tolerance", "1e-9")
+        self.refused(3, ["'hidden'", "'exact' or 'discrete'"], "modes", self.GEOS, "--method", "hidden")
+        self.refused(1, ["--at 0"], "structure", self.GEOS, "--at", "0")
+        self.refused(1, ["beyond reach"], "count", self.GEOS, "--below", "1e9")
 
     def test_shapes_and_geometry(self):
         r = self.json("modes", MODELS / "mms.toml", "--lowest", "6", "--shapes")
