@@ -32,23 +32,14 @@ Stiffness described(const Spacecraft& s) {
   return find_modes(s, options).stiffness;
 }
 
-std::vector<EffectiveAxes> axes_of(const Spacecraft& s) {
-  constexpr Index lowest = 10;
-  return effective_axes(s, lowest);
+// What only a spacecraft has.
+void describe_booms(const Spacecraft& s, io::StructureReport& r) {
+  constexpr Index lowest_of_a_boom = 5, lowest_modes = 10;
+  r.held_booms = held_booms(s, lowest_of_a_boom);
+  r.effective_axes = effective_axes(s, lowest_modes);
 }
 template <class Matrices>
-std::vector<EffectiveAxes> axes_of(const Matrices&) {
-  return {};
-}
-
-std::vector<HeldBoom> booms_of(const Spacecraft& s) {
-  constexpr Index lowest = 5;
-  return held_booms(s, lowest);
-}
-template <class Matrices>
-std::vector<HeldBoom> booms_of(const Matrices&) {
-  return {};
-}
+void describe_booms(const Matrices&, io::StructureReport&) {}
 
 template <class Matrices>
 Transformation at_frequency(const Matrices& system, const Structure& structure, const Options& o) {
@@ -69,8 +60,7 @@ int run(const Options& o) {
     r.stiffness_applies = !std::is_same_v<std::decay_t<decltype(system)>, FirstOrderSystem>;
     r.structure = analyse(system, o.source.structure());
     r.stiffness = described(system);
-    r.held_booms = booms_of(system);
-    r.effective_axes = axes_of(system);
+    describe_booms(system, r);
     if (!o.at.empty()) r.at = at_frequency(system, r.structure, o);
     return r;
   });

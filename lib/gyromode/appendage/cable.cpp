@@ -86,6 +86,25 @@ CableGroup::Answers<T> CableGroup::answers(const T& omega) const {
 
 template CableGroup::Answers<double> CableGroup::answers(const double& omega) const;
 
+namespace {
+
+// Rows that the features of U and φ3 multiply: Bξ, N(θ2, −θ1), φ3.
+template <class T>
+Eigen::Matrix<Complex, 5, body_coordinates> in_plane_rows(const Turning<T>& f) {
+  Eigen::Matrix<Complex, 5, body_coordinates> r = Eigen::Matrix<Complex, 5, body_coordinates>::Zero();
+  r(0, 0) = r(1, 1) = f.omega;
+  r(0, 1) = f.j * f.spin;
+  r(1, 0) = -f.j * f.spin;
+  r(2, 4) = f.p;
+  r(2, 3) = -f.j * f.t;
+  r(3, 4) = -f.j * f.t;
+  r(3, 3) = -f.p;
+  r(4, 5) = 1;
+  return r;
+}
+
+}  // namespace
+
 // Σ e_t ∫u dm over the wires, pattern by pattern and motion by motion of the body, so that in phase and in quadrature stay apart: features 1 and 2 are e_t.
 Eigen::Vector2cd CableGroup::first_moment(double omega, const ComplexVector& body, const ComplexVector& own) const {
   const Answers<double> a = answers(omega);
@@ -101,13 +120,8 @@ Eigen::Vector2cd CableGroup::first_moment(double omega, const ComplexVector& bod
   return moment;
 }
 
-// Bξ, N(θ2, −θ1), φ3.
 Eigen::Matrix<Complex, 5, 1> CableGroup::in_plane_motions(double omega, const ComplexVector& body) const {
-  const Complex j(0, 1);
-  const Turning<double> f(omega, spin_, j);
-  Eigen::Matrix<Complex, 5, 1> m;
-  m << omega * body(0) + j * spin_ * body(1), -j * spin_ * body(0) + omega * body(1), f.p * body(4) - j * f.t * body(3), -j * f.t * body(4) - f.p * body(3), body(5);
-  return m;
+  return in_plane_rows(Turning<double>(omega, spin_, Complex(0, 1))) * body;
 }
 
 // U = e_tᵀ(Bξ + hN(θ2, −θ1)) and θ_t.
@@ -119,21 +133,7 @@ CableGroup::Loads CableGroup::loads_on(const Cable& c, double omega, const Compl
 
 namespace {
 
-// Rows that the features of U and φ3 multiply: v = Bξ, w = N(θ2, −θ1), φ3; and those of θ_t and ξ3: θ1, θ2, ξ3.
-template <class T>
-Eigen::Matrix<Complex, 5, body_coordinates> in_plane_rows(const Turning<T>& f) {
-  Eigen::Matrix<Complex, 5, body_coordinates> r = Eigen::Matrix<Complex, 5, body_coordinates>::Zero();
-  r(0, 0) = r(1, 1) = f.omega;
-  r(0, 1) = f.j * f.spin;
-  r(1, 0) = -f.j * f.spin;
-  r(2, 4) = f.p;
-  r(2, 3) = -f.j * f.t;
-  r(3, 4) = -f.j * f.t;
-  r(3, 3) = -f.p;
-  r(4, 5) = 1;
-  return r;
-}
-
+// Rows that the features of θ_t and ξ3 multiply: θ1, θ2, ξ3.
 Eigen::Matrix<Complex, 3, body_coordinates> out_of_plane_rows() {
   Eigen::Matrix<Complex, 3, body_coordinates> r = Eigen::Matrix<Complex, 3, body_coordinates>::Zero();
   r(0, 3) = r(1, 4) = r(2, 2) = 1;
@@ -143,7 +143,7 @@ Eigen::Matrix<Complex, 3, body_coordinates> out_of_plane_rows() {
 Index count_held(double own, Index zeros) { return zeros - (own < 0 ? 1 : 0); }
 Index count_held(const Complex&, Index) { return 0; }
 
-// The share of one field in all its patterns. `first_load`: features of the first load come first; else last.
+// The share of one field in all its patterns; loads(l, k) tells whether feature k belongs to load l.
 template <class T, int features>
 void add_field(const Answer<T>& answer, const T (&units)[2], Index zeros, const Patterns& patterns, const Eigen::Matrix<double, 2, features>& loads,
                Eigen::Matrix<Complex, features, body_coordinates> right, Eigen::Matrix<Complex, features, body_coordinates> left, Lifted& to, Index first) {

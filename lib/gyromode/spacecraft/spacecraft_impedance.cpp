@@ -66,7 +66,6 @@ Index neutral_patterns_of(const std::vector<Cable>& cables) {
   return felt.cols() - qr.rank();
 }
 
-
 }  // namespace
 
 SpacecraftImpedance::SpacecraftImpedance(const Spacecraft& s) : spin_(s.spin()), mass_(s.rigid().mass), continuous_(!s.cables().empty() || !s.beams().empty()) {
@@ -95,11 +94,11 @@ void SpacecraftImpedance::take(std::unique_ptr<Appendage> appendage) {
   size_ += own;
 }
 
+double SpacecraftImpedance::tilt_scale(double omega) const { return 1 / std::sqrt((1 + omega * omega) * std::max({1.0, inertia_(0, 0), inertia_(1, 1)})); }
+
 // The frozen satellite: −m on ξ, −J33 on φ3, and on θ1, θ2 (docs/booms.md (B3))
 //     [Ω²(J33 − J22) − ω²J11    (Ω² − ω²)J12 − jωΩ(J11 + J22 − J33)]
 //     [·                        Ω²(J33 − J11) − ω²J22              ].
-double SpacecraftImpedance::tilt_scale(double omega) const { return 1 / std::sqrt((1 + omega * omega) * std::max({1.0, inertia_(0, 0), inertia_(1, 1)})); }
-
 template <class T>
 void SpacecraftImpedance::add_all(const T& omega, Lifted& to) const {
   to.matrix.setZero(size_, size_);
