@@ -15,16 +15,6 @@ Eigen::Matrix3cd cross(const Eigen::Vector3d& a) {
   return m.cast<Complex>();
 }
 
-Eigen::Matrix3cd inertia_operator(double omega, double spin) {
-  const Turning<double> f(omega, spin, Complex(0, 1));
-  Eigen::Matrix3cd n = Eigen::Matrix3cd::Zero();
-  n(0, 0) = n(1, 1) = f.p;
-  n(0, 1) = f.j * f.t;
-  n(1, 0) = -f.j * f.t;
-  n(2, 2) = omega * omega;
-  return n;
-}
-
 // The excess of one appendage.
 Lifted alone(const Appendage& appendage, double omega) {
   const Index size = body_coordinates + appendage.coordinates();
@@ -55,7 +45,7 @@ HubMatrix condensed(const Lifted& lifted) {
 }
 
 HubMatrix rigid_impedance(const MassProperties& m, double omega, double spin) {
-  const Eigen::Matrix3cd n = inertia_operator(omega, spin);
+  const Eigen::Matrix3cd n = inertia_operator(Turning<double>(omega, spin, Complex(0, 1)));
   HubMatrix h = HubMatrix::Zero();
   h.topLeftCorner<3, 3>() = -m.mass * n;
   h.topRightCorner<3, 3>() = n * cross(m.first);

@@ -26,16 +26,6 @@ Eigen::Matrix<Complex, 3, body_coordinates> rows_of(const Turning<T>& f, const E
   return r;
 }
 
-template <class T>
-Eigen::Matrix3cd inertia(const Turning<T>& f) {
-  Eigen::Matrix3cd n = Eigen::Matrix3cd::Zero();
-  n(0, 0) = n(1, 1) = -f.p;
-  n(0, 1) = -f.j * f.t;
-  n(1, 0) = f.j * f.t;
-  n(2, 2) = -f.omega * f.omega;
-  return n;
-}
-
 }  // namespace
 
 SpringMassAppendage::SpringMassAppendage(const SpringMass& mass, double spin) : mass_(mass), spin_(spin) {
@@ -52,11 +42,11 @@ template <class T>
 void SpringMassAppendage::add_to(const T& omega, Lifted& to, Index first) const {
   const Turning<T> plus(omega, spin_, Complex(0, 1)), minus(omega, spin_, Complex(0, -1));
   const auto right = rows_of(plus, mass_.position), left = rows_of(minus, mass_.position);
-  const Eigen::Matrix3cd n = inertia(plus);
+  const Eigen::Matrix3cd n = inertia_operator(plus);
   for (Index a = 0; a < coordinates(); ++a) {
     const Index i = sprung_[static_cast<std::size_t>(a)];
     const double s = scale(omega, a);
-    for (Index b = 0; b < coordinates(); ++b) to.matrix(first + a, first + b) = s * scale(omega, b) * mass_.mass * n(i, sprung_[static_cast<std::size_t>(b)]);
+    for (Index b = 0; b < coordinates(); ++b) to.matrix(first + a, first + b) = s * scale(omega, b) * -mass_.mass * n(i, sprung_[static_cast<std::size_t>(b)]);
     to.matrix(first + a, first + a) += s * s * mass_.stiffness(i);
     to.matrix.row(first + a).head<body_coordinates>() = s * mass_.mass * right.row(i);
     to.matrix.col(first + a).head<body_coordinates>() = s * mass_.mass * left.row(i).transpose();

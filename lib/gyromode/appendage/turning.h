@@ -19,4 +19,15 @@ struct Turning {
   Turning(const T& w, double spin_, Complex j_) : omega(w), p(w * w + spin_ * spin_), t(2.0 * w * spin_), spin(spin_), j(j_) {}
 };
 
+/// N₃ = [p jt 0; −jt p 0; 0 0 ω²]: inertia forces of a mass m are −mN₃ on its displacement.
+template <class T>
+Eigen::Matrix3cd inertia_operator(const Turning<T>& f) {
+  Eigen::Matrix3cd n = Eigen::Matrix3cd::Zero();
+  n(0, 0) = n(1, 1) = f.p;
+  n(0, 1) = f.j * f.t;
+  n(1, 0) = -f.j * f.t;
+  n(2, 2) = f.omega * f.omega;
+  return n;
+}
+
 }  // namespace gyromode
