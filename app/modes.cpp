@@ -36,14 +36,12 @@ constexpr Index lowest_of_a_spacecraft = 10;
 dense::Method method_named(const std::string& name, bool spacecraft) {
   if (name == "auto" || (spacecraft && (name == "exact" || name == "discrete"))) return dense::Method::automatic;
   if (name == "quadrature") return dense::Method::quadrature;
+  if (name == "hidden") return dense::Method::hidden;
   if (name == "general") return dense::Method::general;
   if (name == "first-order") return dense::Method::first_order;
   if (name == "symmetric-2n") return dense::Method::symmetric_2n;
-  const bool boom = name == "exact" || name == "discrete";
-  if (spacecraft) throw dense::MethodDoesNotApply(fmt::format("method '{}' is not part of this version; a spacecraft takes 'exact' or 'discrete'", name));
-  throw dense::MethodDoesNotApply(fmt::format("method '{}' {}; 'auto', 'quadrature', 'general', 'first-order' or 'symmetric-2n' apply", name,
-                                              boom ? "serves spacecraft models with continuum booms, and this is a matrix model"
-                                                   : "is not part of this version"));
+  throw dense::MethodDoesNotApply(fmt::format("method '{}' serves spacecraft models with continuum booms, and this is a matrix model; 'auto', 'quadrature', 'hidden', 'general', "
+                                              "'first-order' or 'symmetric-2n' apply", name));
 }
 
 // The positions of comma-separated labels.
@@ -130,7 +128,7 @@ void add_modes(CLI::App& program, int& code) {
     all->excludes(verb->get_option(name));
   }
   all->excludes(lowest);
-  verb->add_option("--method", o->method, "Matrices: auto, quadrature, general, first-order, symmetric-2n (the two classical 2n methods); spacecraft: exact, or discrete (finite elements, to compare)")
+  verb->add_option("--method", o->method, "Matrices: auto, quadrature, hidden (a symmetry found in any coordinates), general, first-order, symmetric-2n (the two classical 2n methods); spacecraft: exact, or discrete (finite elements, to compare)")
       ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "quadrature", "hidden", "general", "first-order", "symmetric-2n", "exact", "discrete"}))
       ->capture_default_str();

@@ -42,14 +42,13 @@ template <class Matrices>
 void describe_booms(const Matrices&, io::StructureReport&) {}
 
 template <class Matrices>
-Transformation at_frequency(const Matrices& system, const Structure& structure, const Options& o) {
-  return transformation_at(without_ignored_couplings(system, o.source.structure()), structure, frequency_option("--at", o.at));
+ComplexMatrix impedance_of(const Matrices& system, const Options& o, double omega) {
+  return without_ignored_couplings(system, o.source.structure()).impedance(omega);
 }
 
-Transformation at_frequency(const Spacecraft& spacecraft, const Structure& structure, const Options& o) {
-  const double omega = frequency_option("--at", o.at);
+ComplexMatrix impedance_of(const Spacecraft& spacecraft, const Options& o, double omega) {
   if (!(omega > 0)) throw UsageError(fmt::format("--at {}: a frequency above 0 was expected", o.at));
-  return transformation_at(spacecraft, structure, omega);
+  return impedance_at(spacecraft, omega);
 }
 
 int run(const Options& o) {
@@ -58,10 +57,15 @@ int run(const Options& o) {
     io::StructureReport r;
     r.coupling_tolerance = o.source.coupling_tolerance;
     r.stiffness_applies = !std::is_same_v<std::decay_t<decltype(system)>, FirstOrderSystem>;
-    r.structure = analyse(system, o.source.structure());
+    StructureOptions options = o.source.structure();
+    options.hidden = HiddenSearch::always;
+    r.structure = analyse(system, options);
     r.stiffness = described(system);
     describe_booms(system, r);
-    if (!o.at.empty()) r.at = at_frequency(system, r.structure, o);
+    if (!o.at.empty()) {
+      const double omega = frequency_option("--at", o.at);
+      r.at = {omega, realify(impedance_of(system, o, omega), r.structure)};
+    }
     return r;
   });
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));

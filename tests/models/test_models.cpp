@@ -31,7 +31,7 @@ ModesResult modes_of(const Spacecraft& spacecraft, const io::KnownValues& known)
 
 std::string class_of(const io::Model& model, const ModesResult& r) {
   if (std::holds_alternative<Spacecraft>(model.system)) return "transcendental";
-  return r.structure.system_class() == SystemClass::quadrature ? "quadrature" : "general";
+  return std::string(word(r.structure.system_class()));
 }
 
 TEST_P(ShippedModel, HasItsKnownValues) {

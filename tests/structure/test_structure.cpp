@@ -93,7 +93,9 @@ TEST(Partition, HandMadeGraphs) {
   EXPECT_EQ(square.components[0].in_quadrature, (Places{2, 3}));
   EXPECT_EQ(square.system_class(), SystemClass::quadrature);
 
-  const Structure triangle = analyse(linked(4, {{1, 2, 'G'}, {2, 3, 'G'}, {3, 1, 'G'}}));
+  const System ring = linked(4, {{1, 2, 'G'}, {2, 3, 'G'}, {3, 1, 'G'}});
+  const Structure triangle = analyse(ring, {0, HiddenSearch::never});
+  EXPECT_EQ(analyse(ring).system_class(), SystemClass::hidden_quadrature);  // M and K are 1: every skew G has a basis of two groups
   ASSERT_EQ(triangle.components.size(), 2u);
   EXPECT_TRUE(triangle.components[0].quadrature() && !triangle.components[1].quadrature());
   EXPECT_EQ(triangle.components[1].coordinates, (Places{1, 2, 3}));
@@ -213,7 +215,7 @@ TEST(Coupling, ToleranceIsRelativeToEachMatrix) {
     EXPECT_TRUE(without_ignored_couplings(f, {0.011}).inertia() == cut.mass());
     EXPECT_EQ(without_ignored_couplings(f, {0.011}).gyroscopic()(1, 2), 0);
   }
-  EXPECT_EQ(analyse(linked(2, {{0, 1, 'K', 1e-300}, {0, 1, 'G'}})).system_class(), SystemClass::general);  // tolerance 0 ignores nothing
+  EXPECT_EQ(analyse(linked(2, {{0, 1, 'K', 1e-300}, {0, 1, 'G'}}), {0, HiddenSearch::never}).system_class(), SystemClass::general);  // tolerance 0 ignores nothing
   const System limit = linked(2, {{0, 1, 'G', 6}});  // ignored at the limit
   EXPECT_EQ(analyse(limit, {1}).components.size(), 2u);
   EXPECT_EQ(without_ignored_couplings(limit, {1}).gyroscopic()(0, 1), 0);

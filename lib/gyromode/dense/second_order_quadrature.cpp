@@ -54,9 +54,9 @@ NormalForm normal_form(const SecondOrderQuadrature& m, const MassNormal& first, 
 
 }  // namespace
 
-void solve_second_order(const SecondOrderQuadrature& m, Spectrum& s) {
-  const Definiteness d1 = definiteness(m.stiffness1);
-  const Definiteness d2 = definiteness(m.stiffness2);
+void solve_second_order(const SecondOrderQuadrature& m, Spectrum& s) { solve_second_order(m, definiteness(m.stiffness1), definiteness(m.stiffness2), s); }
+
+void solve_second_order(const SecondOrderQuadrature& m, const Definiteness& d1, const Definiteness& d2, Spectrum& s) {
   const Definiteness d = of_both(d1, d2);
   s.store_stiffness(d);
   if (d.zero == 0) return solve_regular(m, d1.negative == 0, d2.negative == 0, s);

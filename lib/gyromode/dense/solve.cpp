@@ -18,6 +18,19 @@ std::vector<Index> ordered(const Component& component, bool with_partition) {
   return order;
 }
 
+bool hidden_applies(const Component& component, Method method) {
+  return component.hidden_quadrature() && (method == Method::automatic || method == Method::hidden);
+}
+
+void require_reversing_symmetry(const Component& component, const Labels& labels) {
+  if (component.quadrature() || component.hidden_quadrature()) return;
+  const std::string first = labels[static_cast<std::size_t>(component.coordinates.front())];
+  const std::string why = component.search ? fmt::format("the nearest reflection breaks the commutation rules by {:.2g} of ‖K‖ and ‖G‖, where rounding explains {:.2g}", component.search->breach,
+                                                         component.search->threshold)
+                                           : "none was looked for";
+  throw MethodDoesNotApply(fmt::format("method 'hidden' needs a reversing symmetry, which the component of coordinate '{}' does not have: {}; 'auto' or 'general' apply", first, why));
+}
+
 void require_partition(const Component& component, const Labels& labels) {
   if (component.quadrature()) return;
   const Index first = component.odd_cycle->coordinates.front();
@@ -60,7 +73,8 @@ ComplexVector Spectrum::shape(Index k) const {
 
 Spectrum solve(const System& system, const Component& component, Method method) {
   if (method == Method::quadrature) require_partition(component, system.labels());
-  const bool with_partition = component.quadrature() && (method == Method::automatic || method == Method::quadrature);
+  if (method == Method::hidden) require_reversing_symmetry(component, system.labels());
+  const bool with_partition = component.quadrature() && (method == Method::automatic || method == Method::quadrature || method == Method::hidden);
   Spectrum s;
   s.order = ordered(component, with_partition);
   s.split = with_partition ? static_cast<Index>(component.in_phase.size()) : -1;
@@ -75,6 +89,7 @@ Spectrum solve(const System& system, const Component& component, Method method) 
   }
   const SecondOrder matrices{restricted(system.mass(), s.order, s.order), restricted(system.gyroscopic(), s.order, s.order),
                              restricted(system.stiffness(), s.order, s.order)};
+  if (hidden_applies(component, method) && solve_second_order(matrices, *component.search->found, s)) return s;
   switch (method) {
     case Method::first_order: solve_companion(matrices, s); break;
     case Method::symmetric_2n: solve_symmetric_2n(matrices, s); break;
@@ -85,6 +100,7 @@ Spectrum solve(const System& system, const Component& component, Method method) 
 
 Spectrum solve(const FirstOrderSystem& system, const Component& component, Method method) {
   if (method == Method::quadrature) require_partition(component, system.labels());
+  if (method == Method::hidden) throw MethodDoesNotApply("method 'hidden' serves second-order models: every first-order model has a reversing symmetry, and 'general' makes use of it");
   if (method == Method::first_order || method == Method::symmetric_2n) {
     throw MethodDoesNotApply("the classical 2n methods start from M, G, K; a first-order model is solved as it stands: use 'auto', 'quadrature' or 'general'");
   }

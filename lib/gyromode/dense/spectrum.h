@@ -10,7 +10,7 @@
 namespace gyromode::dense {
 
 /// Which solver to use. `automatic` takes the best for the class; the others are refused (MethodDoesNotApply) where they do not apply.
-enum class Method { automatic, quadrature, general, first_order, symmetric_2n };
+enum class Method { automatic, quadrature, hidden, general, first_order, symmetric_2n };
 
 /// A method that does not fit the system; what() says why and what to use instead.
 class MethodDoesNotApply : public std::invalid_argument {

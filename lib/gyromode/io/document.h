@@ -5,7 +5,7 @@
 #include "gyromode/modes/result.h"
 #include "gyromode/modes/effective_axes.h"
 #include "gyromode/spacecraft/held_booms.h"
-#include "gyromode/structure/transformation.h"
+#include "gyromode/structure/realify.h"
 
 #include <optional>
 #include <string>
@@ -27,12 +27,18 @@ struct Timings {
   double solve = 0;
 };
 
+/// H at a frequency, made real symmetric.
+struct RealifiedAt {
+  double omega = 0;
+  Realified realified;
+};
+
 /// What `structure` reports beyond the facts themselves.
 struct StructureReport {
   Structure structure;
   Stiffness stiffness;
   bool stiffness_applies = true;          ///< false for first-order models
-  std::optional<Transformation> at;
+  std::optional<RealifiedAt> at;
   double coupling_tolerance = 0;
   std::vector<HeldBoom> held_booms;           ///< of a spacecraft: the poles of its booms
   std::vector<EffectiveAxes> effective_axes;  ///< of spacecraft that axes 1 and 2 do not part into in phase and in quadrature

@@ -34,7 +34,8 @@ bool convincing(const SolvedComponent& c) {
 template <class AnySystem>
 SolvedComponent best_component(const AnySystem& system, const Component& component, dense::Method method) {
   SolvedComponent c = solved_component(system, component, method);
-  if (method != dense::Method::automatic || convincing(c) || c.spectrum.stiffness_negative == 0 || !component.quadrature()) return c;
+  const bool by_partition = component.quadrature() || component.hidden_quadrature();
+  if (method != dense::Method::automatic || convincing(c) || (c.spectrum.stiffness_negative == 0 && component.quadrature()) || !by_partition) return c;
   SolvedComponent again = solved_component(system, component, dense::Method::general);
   const bool better = again.verdict.balance.closed && (!c.verdict.balance.closed || worst_residual(again) < worst_residual(c));
   if (!better) return c;
@@ -42,11 +43,18 @@ SolvedComponent best_component(const AnySystem& system, const Component& compone
   return again;
 }
 
+// A reversing symmetry is of use to two methods only.
+StructureOptions searched(StructureOptions options, dense::Method method) {
+  if (method == dense::Method::hidden) options.hidden = HiddenSearch::always;
+  else if (method != dense::Method::automatic) options.hidden = HiddenSearch::never;
+  return options;
+}
+
 template <class AnySystem>
 SolvedSystem solved(const AnySystem& given, const StructureOptions& options, dense::Method method) {
   const AnySystem system = without_ignored_couplings(given, options);
   SolvedSystem s;
-  s.structure = analyse(given, options);
+  s.structure = analyse(given, searched(options, method));
   s.size = given.size();
   for (const Component& component : s.structure.components) {
     s.components.push_back(best_component(system, component, method));

@@ -2,13 +2,11 @@
 
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/modes/spacecraft_solution.h"
-
-#include <cmath>
-#include <numbers>
+#include "gyromode/structure/realify.h"
 
 namespace gyromode {
 
-// ψ = ½ atan2(2c, a − d) of H = [a, c + jb; ·, d] (docs/booms.md (B13)). At Ω both vanish with a common factor, and for an axisymmetric H every angle serves: 0.
+// ψ of H = [a, c + jb; ·, d] (docs/booms.md (B13)), followed from mode to mode. At Ω c and a − d vanish with a common factor: it is taken beside.
 std::vector<EffectiveAxes> effective_axes(const Spacecraft& spacecraft, Index count) {
   const SpacecraftImpedance impedance(spacecraft);
   std::vector<EffectiveAxes> all;
@@ -20,12 +18,8 @@ std::vector<EffectiveAxes> effective_axes(const Spacecraft& spacecraft, Index co
     constexpr double beside = 1e-6;
     const bool tilt = m.kind == ModeKind::rigid_body;
     const Eigen::Matrix2cd h = impedance.tilt(m.omega / spacecraft.spin() * (tilt ? 1 + beside : 1));
-    const double difference = (h(0, 0) - h(1, 1)).real(), cross = h(0, 1).real();
-    double angle = std::hypot(2 * cross, difference) <= 1e-13 * h.norm() ? 0 : 0.5 * std::atan2(2 * cross, difference);
-    const double quarter = 0.25 * std::numbers::pi;
-    if (angle > quarter) angle -= 2 * quarter;
-    if (angle <= -quarter) angle += 2 * quarter;
-    all.push_back({m.omega, angle});
+    const Realified r = realify_by_angle(h, all.empty() ? 0 : all.back().angle);
+    all.push_back({m.omega, *r.angle});
   }
   return all;
 }

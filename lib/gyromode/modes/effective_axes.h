@@ -10,7 +10,7 @@ namespace gyromode {
 /// and booms (Boland & Janssens 1979, Fig. 4, Eq. 19).
 struct EffectiveAxes {
   double omega = 0;  ///< rad/s
-  double angle = 0;  ///< ψ, rad, in (−π/4, π/4]
+  double angle = 0;  ///< ψ, rad: in [−π/4, π/4] for the first, then of the multiples of π/2 apart the one nearest to the mode before
 };
 /// Of the lowest `count` modes; empty where ψ = 0 throughout, as axes 1 and 2 are such axes.
 std::vector<EffectiveAxes> effective_axes(const Spacecraft& spacecraft, Index count);

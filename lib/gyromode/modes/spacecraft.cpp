@@ -58,7 +58,7 @@ Structure analyse(const Spacecraft& spacecraft, const StructureOptions&) {
 ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options) {
   require_window(options.window);
   if (options.method != dense::Method::automatic) {
-    throw dense::MethodDoesNotApply("the methods 'quadrature', 'general', 'first-order' and 'symmetric-2n' serve matrices; a spacecraft takes 'exact' or 'discrete'");
+    throw dense::MethodDoesNotApply("the methods 'quadrature', 'hidden', 'general', 'first-order' and 'symmetric-2n' serve matrices; a spacecraft takes 'exact' or 'discrete'");
   }
   require_within_reach(spacecraft, options.window);
   const SpacecraftSolution s(spacecraft);
@@ -131,9 +131,9 @@ CountResult count_modes(const Spacecraft& spacecraft, const Window& requested, c
   return c;
 }
 
-Transformation transformation_at(const Spacecraft& spacecraft, const Structure& structure, double omega) {
+ComplexMatrix impedance_at(const Spacecraft& spacecraft, double omega) {
   require_within_reach(spacecraft, {0, omega});
-  return transformation_of(SpacecraftImpedance(spacecraft).hub(omega), structure, omega);
+  return SpacecraftImpedance(spacecraft).hub(omega);
 }
 
 }  // namespace gyromode

@@ -3,7 +3,6 @@
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/spacecraft/spacecraft.h"
-#include "gyromode/structure/transformation.h"
 
 namespace gyromode {
 
@@ -18,7 +17,7 @@ CountResult count_modes(const Spacecraft& spacecraft, const Window& window, cons
 /// Which of (ζ, θ) move in phase, which in quadrature, and which do not meet.
 Structure analyse(const Spacecraft& spacecraft, const StructureOptions& options = {});
 
-/// H(ω) on (ζ, θ) at the mass centre of the complete satellite, in N and N m per m and rad, and what makes it real symmetric.
-Transformation transformation_at(const Spacecraft& spacecraft, const Structure& structure, double omega);
+/// H(ω) on (ζ, θ) at the mass centre of the complete satellite, in N and N m per m and rad, ω > 0.
+ComplexMatrix impedance_at(const Spacecraft& spacecraft, double omega);
 
 }  // namespace gyromode

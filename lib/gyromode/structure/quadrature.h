@@ -1,7 +1,9 @@
 #pragma once
 
 #include "gyromode/structure/coupling.h"
+#include "gyromode/structure/reversing_symmetry.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,8 +22,10 @@ struct Component {
   std::vector<Index> in_phase;       ///< the group of the first coordinate; empty without a partition
   std::vector<Index> in_quadrature;  ///< the other group
   std::optional<OddCycle> odd_cycle; ///< the witness where there is no partition
+  std::shared_ptr<const SymmetrySearch> search;  ///< where there is no partition and a reversing symmetry was looked for; rows in the order of `coordinates`
 
   bool quadrature() const { return !odd_cycle; }
+  bool hidden_quadrature() const { return odd_cycle && search && search->found; }
 };
 
 /// Connected components and, for each, the quadrature partition of Boland & Janssens 1979, Eq. (8) or the witness that there is

@@ -1,5 +1,8 @@
 #include "gyromode/structure/structure.h"
 
+#include "gyromode/lapack/triangular.h"
+#include "gyromode/system/scale.h"
+
 #include <algorithm>
 
 namespace gyromode {
@@ -7,6 +10,18 @@ namespace gyromode {
 namespace {
 
 Structure analysed(const CouplingGraph& graph) { return {partition(graph), graph.largest_ignored}; }
+
+bool positive_definite(const Matrix& k) {
+  if (!(k.diagonal().array() > 0).all()) return false;
+  Matrix l = scaled(k, unit_diagonal_scale(k));
+  return !lapack::cholesky(l);
+}
+
+bool worth_a_search(const Matrix& stiffness, HiddenSearch choice) {
+  constexpr Index unnoticed = 256;
+  if (choice != HiddenSearch::by_cost) return choice == HiddenSearch::always;
+  return stiffness.rows() <= unnoticed || !positive_definite(stiffness);
+}
 
 std::vector<Index> collected(const std::vector<Component>& components, std::vector<Index> Component::*group) {
   std::vector<Index> all;
@@ -25,9 +40,18 @@ Matrix thresholded(const Matrix& a, double tolerance) {
 
 }  // namespace
 
+std::string_view word(SystemClass c) {
+  switch (c) {
+    case SystemClass::quadrature: return "quadrature";
+    case SystemClass::hidden_quadrature: return "hidden_quadrature";
+    default: return "general";
+  }
+}
+
 SystemClass Structure::system_class() const {
-  return std::all_of(components.begin(), components.end(), [](const Component& c) { return c.quadrature(); }) ? SystemClass::quadrature
-                                                                                                                : SystemClass::general;
+  const auto all = [&](auto&& has) { return std::all_of(components.begin(), components.end(), has); };
+  if (all([](const Component& c) { return c.quadrature(); })) return SystemClass::quadrature;
+  return all([](const Component& c) { return c.quadrature() || c.hidden_quadrature(); }) ? SystemClass::hidden_quadrature : SystemClass::general;
 }
 
 std::vector<Index> Structure::in_phase() const { return collected(components, &Component::in_phase); }
@@ -41,7 +65,16 @@ std::optional<OddCycle> Structure::witness() const {
 }
 
 Structure analyse(const System& system, const StructureOptions& options) {
-  return analysed(coupling_graph({&system.mass(), &system.stiffness()}, system.gyroscopic(), options.coupling_tolerance));
+  Structure s = analysed(coupling_graph({&system.mass(), &system.stiffness()}, system.gyroscopic(), options.coupling_tolerance));
+  if (options.hidden == HiddenSearch::never) return s;
+  for (Component& c : s.components) {
+    if (c.quadrature()) continue;
+    const System kept = without_ignored_couplings(system, options);
+    const auto& at = c.coordinates;
+    const Matrix stiffness = kept.stiffness()(at, at);
+    if (worth_a_search(stiffness, options.hidden)) c.search = std::make_shared<SymmetrySearch>(find_reversing_symmetry(kept.mass()(at, at), kept.gyroscopic()(at, at), stiffness));
+  }
+  return s;
 }
 
 Structure analyse(const FirstOrderSystem& system, const StructureOptions& options) {

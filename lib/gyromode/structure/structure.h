@@ -6,17 +6,25 @@
 #include "gyromode/system/system.h"
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace gyromode {
 
 /// The class that decides which solver serves a system (theory §1–3).
-enum class SystemClass { quadrature, general };
+enum class SystemClass { quadrature, hidden_quadrature, general };
+std::string_view word(SystemClass c);
+
+/// Whether a reversing symmetry is looked for where the coordinates show no partition. `by_cost`: up to order 256, where the search takes less than what a user notices, and at any order
+/// where K is not positive definite: there the general solver costs ten times the search and more, here as much as the search and the quadrature solver together
+/// (bench/results).
+enum class HiddenSearch { by_cost, always, never };
 
 struct StructureOptions {
   /// Couplings up to this fraction of the largest entry of their matrix count as none. Above 0 they are dropped from the system that
   /// is solved, and every output says so.
   double coupling_tolerance = 0;
+  HiddenSearch hidden = HiddenSearch::by_cost;
 };
 
 /// What is known of a system before it is solved.
@@ -24,7 +32,7 @@ struct Structure {
   std::vector<Component> components;
   double largest_ignored_coupling = 0;   ///< relative; above 0 only where a tolerance was asked for
 
-  SystemClass system_class() const;                  ///< quadrature where every component has a partition
+  SystemClass system_class() const;                  ///< quadrature where every component has a partition; hidden where the others have a reversing symmetry
   std::vector<Index> in_phase() const;               ///< coordinates, ascending, over all components
   std::vector<Index> in_quadrature() const;
   std::optional<OddCycle> witness() const;           ///< the first component's odd cycle where there is no partition

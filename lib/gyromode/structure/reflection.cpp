@@ -1,0 +1,108 @@
+#include "gyromode/structure/reflection.h"
+
+#include "gyromode/lapack/multiply.h"
+#include "gyromode/lapack/symmetric.h"
+
+#include <Eigen/QR>
+
+#include <cmath>
+
+namespace gyromode {
+
+namespace {
+
+using lapack::multiply;
+using lapack::multiply_nt;
+using lapack::multiply_tn;
+
+// The three conditions as one vector, each over its unit.
+struct Conditions {
+  Matrix k12, gamma1, gamma2;
+
+  double squared() const { return 2 * k12.squaredNorm() + gamma1.squaredNorm() + gamma2.squaredNorm(); }
+};
+
+class Linearised {
+ public:
+  Linearised(const Reflection& r, double unit_k, double unit_gamma) : k1_(r.k1 / unit_k), k2_(r.k2 / unit_k), b_(r.b / unit_gamma) {}
+
+  Conditions at(const Matrix& theta) const {
+    const Matrix first = multiply_nt(theta, b_), second = multiply_tn(b_, theta);
+    return {multiply(k1_, theta) - multiply(theta, k2_), first - first.transpose(), second.transpose() - second};
+  }
+  // The transpose in the inner product of squared().
+  Matrix back(const Conditions& c) const {
+    return 2 * (multiply(k1_, c.k12) - multiply(c.k12, k2_)) + 2 * multiply(c.gamma1, b_) - 2 * multiply(b_, c.gamma2);
+  }
+
+ private:
+  Matrix k1_, k2_, b_;
+};
+
+Matrix least_squares(const Linearised& a, Conditions residual) {
+  constexpr int steps = 60;
+  constexpr double enough = 1e-3;  // of the residual: the next turn takes it up
+  Matrix gradient = a.back(residual);
+  Matrix theta = Matrix::Zero(gradient.rows(), gradient.cols());
+  Matrix direction = gradient;
+  double length = gradient.squaredNorm();
+  const double first = length;
+  for (int step = 0; step < steps && length > enough * enough * first && length > 0; ++step) {
+    const Conditions image = a.at(direction);
+    const double size = image.squared();
+    if (!(size > 0)) break;
+    const double alpha = length / size;
+    theta += alpha * direction;
+    residual.k12 -= alpha * image.k12;
+    residual.gamma1 -= alpha * image.gamma1;
+    residual.gamma2 -= alpha * image.gamma2;
+    gradient = a.back(residual);
+    const double next = gradient.squaredNorm();
+    direction = gradient + (next / length) * direction;
+    length = next;
+  }
+  return theta;
+}
+
+Matrix symmetric(const Matrix& a) { return 0.5 * (a + a.transpose()); }
+Matrix skew(const Matrix& a) { return 0.5 * (a - a.transpose()); }
+
+}  // namespace
+
+Reflection::Reflection(const Matrix& k, const Matrix& gamma, Matrix plus_, Matrix minus_) : plus(std::move(plus_)), minus(std::move(minus_)) {
+  const Matrix k_plus = multiply(k, plus), gamma_plus = multiply(gamma, plus);
+  k1 = symmetric(multiply_tn(plus, k_plus));
+  k2 = symmetric(multiply_tn(minus, multiply(k, minus)));
+  k12 = multiply_tn(k_plus, minus);
+  b = -multiply_tn(gamma_plus, minus);
+  gamma1 = skew(multiply_tn(plus, gamma_plus));
+  gamma2 = skew(multiply_tn(minus, multiply(gamma, minus)));
+}
+
+double Reflection::breach_k() const { return std::sqrt(2.0) * k12.norm(); }
+double Reflection::breach_gamma() const { return std::hypot(gamma1.norm(), gamma2.norm()); }
+
+SignedBasis sign_of(const Matrix& x) {
+  const auto e = lapack::symmetric_eigen(x);
+  const Index r = (e.values.array() < 0).count();
+  const Vector size = e.values.cwiseAbs();
+  const double largest = size.maxCoeff();
+  return {e.vectors.rightCols(x.rows() - r), e.vectors.leftCols(r), largest > 0 ? size.minCoeff() / largest : 0};
+}
+
+Reflection turned(const Matrix& k, const Matrix& gamma, Reflection r, double unit_k, double unit_gamma) {
+  constexpr int turns = 6;
+  const auto size = [&](const Reflection& s) { return std::hypot(s.breach_k() / unit_k, s.breach_gamma() / unit_gamma); };
+  for (int turn = 0; turn < turns; ++turn) {
+    const Matrix theta = least_squares(Linearised(r, unit_k, unit_gamma), {-r.k12 / unit_k, -r.gamma1 / unit_gamma, -r.gamma2 / unit_gamma});
+    const auto orthonormal = [](const Matrix& v) -> Matrix { return Eigen::HouseholderQR<Matrix>(v).householderQ() * Matrix::Identity(v.rows(), v.cols()); };
+    Reflection next(k, gamma, orthonormal(r.plus - multiply_nt(r.minus, theta)), orthonormal(r.minus + multiply(r.plus, theta)));
+    const double gain = size(next) / size(r);
+    if (!(gain < 1)) break;
+    r = std::move(next);
+    if (gain > 0.5) break;
+  }
+  return r;
+}
+
+}  // namespace gyromode

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+namespace gyromode {
+
+/// An orthogonal reflection R = V₊V₊ᵀ − V₋V₋ᵀ beside a symmetric k and a skew Γ (n × n), seen in its own basis:
+///     k = [k₁ k₁₂; k₁₂ᵀ k₂],   Γ = [Γ₁ b; −bᵀ Γ₂];   kR = Rk and ΓR = −RΓ  ⇔  k₁₂ = 0, Γ₁ = 0, Γ₂ = 0.
+struct Reflection {
+  Matrix plus, minus;             ///< V₊ n × p, V₋ n × r, orthonormal
+  Matrix k1, k2, b;
+  Matrix k12, gamma1, gamma2;
+
+  Reflection(const Matrix& k, const Matrix& gamma, Matrix plus, Matrix minus);
+  double breach_k() const;        ///< ‖kR − Rk‖_F / 2 = √2 ‖k₁₂‖_F
+  double breach_gamma() const;    ///< ‖ΓR + RΓ‖_F / 2
+};
+
+/// sign(X) of a symmetric X, and how clear the signs are: smallest over largest |eigenvalue|.
+struct SignedBasis {
+  Matrix plus, minus;
+  double clearness = 0;
+};
+SignedBasis sign_of(const Matrix& x);
+
+/// R turned to make breach_k²/unit_k² + breach_gamma²/unit_gamma² least: V₊ − V₋θᵀ, V₋ + V₊θ with θ from the linearised conditions
+///     k₁₂ + k₁θ − θk₂ = 0,   Γ₁ + θbᵀ − bθᵀ = 0,   Γ₂ − bᵀθ + θᵀb = 0
+/// in the sense of least squares, by conjugate gradients; a few turns at most, and only such as help.
+Reflection turned(const Matrix& k, const Matrix& gamma, Reflection r, double unit_k, double unit_gamma);
+
+}  // namespace gyromode
