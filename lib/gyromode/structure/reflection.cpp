@@ -40,8 +40,8 @@ class Linearised {
 };
 
 Matrix least_squares(const Linearised& a, Conditions residual) {
-  constexpr int steps = 60;
-  constexpr double enough = 1e-3;  // of the residual: the next turn takes it up
+  constexpr int steps = 80;
+  constexpr double enough = 1e-7;  // of the gradient
   Matrix gradient = a.back(residual);
   Matrix theta = Matrix::Zero(gradient.rows(), gradient.cols());
   Matrix direction = gradient;
@@ -91,7 +91,7 @@ SignedBasis sign_of(const Matrix& x) {
 }
 
 Reflection turned(const Matrix& k, const Matrix& gamma, Reflection r, double unit_k, double unit_gamma) {
-  constexpr int turns = 6;
+  constexpr int turns = 8;
   const auto size = [&](const Reflection& s) { return std::hypot(s.breach_k() / unit_k, s.breach_gamma() / unit_gamma); };
   for (int turn = 0; turn < turns; ++turn) {
     const Matrix theta = least_squares(Linearised(r, unit_k, unit_gamma), {-r.k12 / unit_k, -r.gamma1 / unit_gamma, -r.gamma2 / unit_gamma});
@@ -100,7 +100,7 @@ Reflection turned(const Matrix& k, const Matrix& gamma, Reflection r, double uni
     const double gain = size(next) / size(r);
     if (!(gain < 1)) break;
     r = std::move(next);
-    if (gain > 0.5) break;
+    if (gain > 0.9) break;
   }
   return r;
 }
