@@ -1,0 +1,66 @@
+#pragma once
+
+#include "gyromode/modes/modes.h"
+#include "gyromode/motion/state.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gyromode {
+
+/// One undamped mode's share of a motion: q_s(t) = amplitude · Re(X e^{j(ωt + phase)}) (Boland & Janssens 1979, Eq. 7).
+struct ModalShare {
+  double omega = 0;
+  double amplitude = 0;  ///< ≥ 0, of the coordinate whose entry in X is 1
+  double phase = 0;      ///< rad, in (−π, π]
+  double energy = 0;     ///< of its own: their sum is the energy of all modes (negative for a mode of negative energy)
+  int energy_sign = 1;
+  ComplexVector shape;   ///< X, n, largest entry 1
+};
+
+/// Displacements and velocities over time: n × (number of times).
+struct History {
+  Vector t;
+  Matrix q, qdot;
+};
+
+/// The motion of M q̈ + G q̇ + K q = Σ f u(t) from given q(0), q̇(0), at any time t ≥ 0 without stepping: simple undamped modes as such, zero roots as displaced rest and steady drift, exactly
+/// linear in t; growing motions and double roots by the exponential on their own invariant subspace.
+class Response {
+ public:
+  /// Throws std::invalid_argument where sizes do not fit or a number is not finite, and what the modes throw.
+  Response(const System& system, const State& initial, const std::vector<Force>& forces = {}, const StructureOptions& structure = {});
+  ~Response();
+  Response(Response&&) noexcept;
+
+  State at(double t) const;
+  History at(const Vector& times) const;
+
+  /// Of the motion that starts at t = 0⁺ (impulses included), ascending in ω; without steps and harmonic forces.
+  const std::vector<ModalShare>& modal() const { return modal_; }
+  /// ½q̇ᵀMq̇ + ½qᵀKq.
+  double energy(const State& w) const;
+  double initial_energy() const { return initial_energy_; }
+  /// Of displaced rest and drift, and of what neither modes nor zero roots hold.
+  double zero_energy() const { return zero_energy_; }
+  double remainder_energy() const { return remainder_energy_; }
+  /// Coordinates of the invariant subspace of growing motions and double roots that take part; 0 for an ordinary stable motion.
+  Index remainder_size() const;
+  /// ‖sum of all parts at t = 0 less the initial state‖ over the size of the state, in units that mix nothing: the accuracy of the decomposition.
+  double departure() const { return departure_; }
+  Stability stability() const { return stability_; }
+  bool complete() const { return complete_; }  ///< the modes were counted
+
+ private:
+  struct Part;
+  std::vector<std::unique_ptr<Part>> parts_;
+  std::vector<ModalShare> modal_;
+  Matrix mass_, stiffness_;
+  double initial_energy_ = 0, zero_energy_ = 0, remainder_energy_ = 0, departure_ = 0;
+  Stability stability_ = Stability::unknown;
+  bool complete_ = false;
+};
+
+}  // namespace gyromode

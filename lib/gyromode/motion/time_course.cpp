@@ -1,0 +1,22 @@
+#include "gyromode/motion/time_course.h"
+
+#include <cmath>
+
+namespace gyromode {
+
+double sinc(double x) { return x == 0 ? 1 : std::sin(x) / x; }
+
+Complex forced(double omega, double nu, double t) {
+  // e^{jωt} ∫ e^{j(±ν − ω)s} ds = e^{j(ω ± ν)t/2} t sinc((±ν − ω)t/2)
+  const auto half = [&](double way) { return std::polar(0.5 * t * sinc(0.5 * (way * nu - omega) * t), 0.5 * (omega + way * nu) * t); };
+  return half(1) + half(-1);
+}
+
+double once_integrated(double nu, double t) { return t * sinc(nu * t); }
+
+double twice_integrated(double nu, double t) {
+  const double s = sinc(0.5 * nu * t);
+  return 0.5 * t * t * s * s;
+}
+
+}  // namespace gyromode

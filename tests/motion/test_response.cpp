@@ -1,0 +1,211 @@
+#include "gyromode/motion/response.h"
+#include "reference/matrix_exponential.h"
+#include "support/random_matrices.h"
+#include "support/random_system.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace gyromode;
+using reference::exact_state;
+using support::Source;
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+State random_state(Source& s, Index n) { return {s.gaussian(n, 1), s.gaussian(n, 1)}; }
+
+double distance(const State& a, const State& b, double omega) { return std::hypot(omega * (a.q - b.q).norm(), (a.qdot - b.qdot).norm()); }
+double size(const State& a, double omega) { return std::hypot(omega * a.q.norm(), a.qdot.norm()); }
+
+// M = 1 + small, K > 0 or indefinite and stabilised by a strong G.
+System stable_system(Source& s, Index n, bool indefinite) {
+  const Matrix m = s.symmetric(n, 0);
+  const Matrix k = s.symmetric(n, 0) * (indefinite ? -1 : 1);
+  if (!indefinite) return System(m, s.skew(n), k);
+  Matrix g = Matrix::Zero(n, n);  // pairs, K < 0: stable above a threshold
+  for (Index i = 0; i + 1 < n; i += 2) g(i, i + 1) = 9 + static_cast<double>(i), g(i + 1, i) = -g(i, i + 1);
+  const Matrix q = s.orthogonal(n);
+  return System(Matrix::Identity(n, n), skew_part(q.transpose() * g * q), symmetric_part(q.transpose() * k * q));
+}
+
+}  // namespace
+
+// ≤ 20 n ε ω_max t, with the rounding of a state to begin with.
+TEST(Response, AgainstTheMatrixExponentialTo50Digits) {
+  Source s{std::mt19937_64(1)};
+  double worst = 0;
+  for (int trial = 0; trial < 24; ++trial) {
+    const Index n = 2 * s.integer(1, 6);
+    const System system = stable_system(s, n, trial % 3 == 2);
+    const State start = random_state(s, n);
+    const Response r(system, start);
+    ASSERT_NE(r.stability(), Stability::unstable) << trial;
+    EXPECT_EQ(r.remainder_size(), 0) << trial;
+    const double fastest = r.modal().back().omega, period = 2 * std::numbers::pi / fastest;
+    for (const double periods : {0.1, 1.0, 10.0, 100.0, 1000.0}) {
+      const double t = periods * period;
+      const State exact = exact_state(system, start, t);
+      const double bar = 20 * static_cast<double>(n) * epsilon * std::max(1.0, fastest * t);
+      const double error = distance(r.at(t), exact, fastest) / size(exact, fastest);
+      EXPECT_LE(error, bar) << "trial " << trial << ", n " << n << ", " << periods << " periods";
+      worst = std::max(worst, error / bar);
+    }
+  }
+  RecordProperty("worst", std::to_string(worst));
+}
+
+TEST(Response, EnergyIsConstantAndIsTheSumOfTheShares) {
+  Source s{std::mt19937_64(2)};
+  for (int trial = 0; trial < 20; ++trial) {
+    const Index n = 2 * s.integer(1, 10);
+    const System system = stable_system(s, n, trial % 2 == 1);
+    const Response r(system, random_state(s, n));
+    double sum = r.zero_energy() + r.remainder_energy(), scale = 0;
+    for (const ModalShare& m : r.modal()) {
+      sum += m.energy;
+      scale += std::abs(m.energy);
+      EXPECT_EQ(m.energy >= 0 ? 1 : -1, m.energy_sign);
+    }
+    EXPECT_NEAR(sum, r.initial_energy(), 1e-12 * scale);
+    const double fastest = r.modal().back().omega;
+    for (int k = 0; k <= 50; ++k) EXPECT_NEAR(r.energy(r.at(2 * std::numbers::pi / fastest * 20 * k)), r.initial_energy(), 1e-12 * scale) << trial;
+  }
+}
+
+TEST(Response, OneModeAlone) {
+  Source s{std::mt19937_64(3)};
+  const System system = stable_system(s, 6, false);
+  const Response any(system, random_state(s, 6));
+  const ModalShare& m = any.modal()[2];
+  const Response r(system, {(m.shape * std::polar(0.3, 0.7)).real(), (m.shape * std::polar(0.3, 0.7) * Complex(0, m.omega)).real()});
+  for (const ModalShare& other : r.modal()) {
+    if (other.omega == m.omega) {
+      EXPECT_NEAR(other.amplitude, 0.3, 1e-14);
+      EXPECT_NEAR(other.phase, 0.7, 1e-13);
+    } else {
+      EXPECT_LE(other.amplitude, 1e-14);
+    }
+  }
+}
+
+// A free body in turning axes: K = −Ω²m, a double defective root at Ω. Its motion is a straight line at constant speed, in turning axes R(−Ωt)(q + (q̇ + Ω × q)t).
+TEST(Response, FreeBodyInTurningAxesIsExact) {
+  const double spin = 0.7, m = 3;
+  const Matrix g{{0, -2 * m * spin}, {2 * m * spin, 0}};
+  const System system(m * Matrix::Identity(2, 2), g, -m * spin * spin * Matrix::Identity(2, 2));
+  const Eigen::Vector2d q(0.4, -1.1), v(0.2, 0.5), inertial = v + spin * Eigen::Vector2d(-q(1), q(0));
+  const Response r(system, {q, v});
+  EXPECT_EQ(r.remainder_size(), 4);
+  for (const double t : {0.0, 1.0, 100.0, 1e4, 1e6}) {
+    const Eigen::Vector2d line = q + t * inertial;
+    const double c = std::cos(spin * t), sn = std::sin(spin * t);
+    const Eigen::Vector2d exact(c * line(0) + sn * line(1), -sn * line(0) + c * line(1));
+    EXPECT_LE((r.at(t).q - exact).norm(), 50 * epsilon * (1 + spin * t) * line.norm()) << t;
+  }
+}
+
+// K = 0 in one direction: rest displaced, and drift linear in t for as long as one likes.
+TEST(Response, DriftIsLinear) {
+  const Matrix k{{2, -2, 0}, {-2, 3, -1}, {0, -1, 1}};
+  for (const double gyro : {0.0, 0.8}) {
+    Matrix g = Matrix::Zero(3, 3);
+    g(0, 2) = gyro, g(2, 0) = -gyro;
+    const System system(Eigen::Vector3d(1, 2, 3).asDiagonal(), g, k);
+    const State start{Eigen::Vector3d(0.1, 0.2, -0.3), Eigen::Vector3d(1, -0.5, 0.25)};
+    const Response r(system, start);
+    for (const double t : {0.3, 7.0, 300.0}) {
+      const State exact = exact_state(system, start, t);
+      EXPECT_LE((r.at(t).q - exact.q).norm(), 1e-12 * (1 + t)) << gyro << " " << t;
+    }
+    const State far = r.at(1e9), exact = exact_state(system, start, 1e9);
+    EXPECT_LE((far.q - exact.q).norm(), 1e-6 * exact.q.norm()) << gyro;
+  }
+}
+
+TEST(Response, DivergenceFlutterAndDoubleRoots) {
+  const auto rotating = [](double g, double k1, double k2) { return System(Matrix::Identity(2, 2), Matrix{{0, -g}, {g, 0}}, Matrix{{k1, 0}, {0, k2}}); };
+  Source s{std::mt19937_64(5)};
+  for (const System& system : {rotating(0.5, -1, 4), rotating(2.9, -1, -4), rotating(3, -1, -4), rotating(3.1, -1, -4), rotating(3 + 1e-9, -1, -4)}) {
+    const State start = random_state(s, 2);
+    const Response r(system, start);
+    for (const double t : {0.1, 1.0, 5.0, 20.0}) {
+      const State exact = exact_state(system, start, t);
+      EXPECT_LE(distance(r.at(t), exact, 1), 1e-11 * (1 + t) * size(exact, 1)) << system.gyroscopic()(1, 0) << " " << t;
+    }
+  }
+}
+
+// Any system the solvers know, whatever its class: the parts add up to the state, and motion is that of the exponential.
+TEST(Response, RandomSystemsOfEveryClass) {
+  int compared = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const auto drawn = support::random_system(seed);
+    if (drawn.mass.rows() > 6) continue;
+    const System system = drawn.system();
+    Source s{std::mt19937_64(seed)};
+    const State start = random_state(s, system.size());
+    const Response r(system, start);
+    if (!r.complete()) continue;
+    const double fastest = std::max(std::sqrt(system.stiffness().norm() / system.mass().norm()), system.gyroscopic().norm() / system.mass().norm());
+    if (!(fastest > 0)) continue;
+    const State exact = exact_state(system, start, 3 / fastest);
+    ++compared;
+    EXPECT_LE(distance(r.at(3 / fastest), exact, fastest), 1e-7 * size(exact, fastest)) << seed << ": " << drawn.description << ", departure " << r.departure();
+  }
+  EXPECT_GT(compared, 50);
+}
+
+TEST(Response, ForcesAgainstTheMatrixExponential) {
+  Source s{std::mt19937_64(7)};
+  for (int trial = 0; trial < 12; ++trial) {
+    const Index n = 2 * s.integer(1, 3);
+    const System system = stable_system(s, n, trial % 3 == 2);
+    const State start = random_state(s, n);
+    const Vector f = s.gaussian(n, 1);
+    const Response free(system, start);
+    const double fastest = free.modal().back().omega;
+    // At a mode: the response grows as t.
+    for (const double nu : {0.0, 0.37, free.modal()[0].omega}) {
+      const Response r(system, start, {{nu == 0 ? Force::Course::step : Force::Course::harmonic, f, nu}});
+      for (const double t : {0.2, 3.0, 50.0}) {
+        const State exact = exact_state(system, start, f, nu, t);
+        EXPECT_LE(distance(r.at(t), exact, fastest), 40 * static_cast<double>(n) * epsilon * (1 + fastest * t) * (size(exact, fastest) + f.norm() * t)) << trial << " ν " << nu << " t " << t;
+      }
+    }
+    const Response kicked(system, start, {{Force::Course::impulse, f, 0}});
+    State after = start;
+    after.qdot += system.mass().inverse() * f;
+    EXPECT_LE(distance(kicked.at(2), exact_state(system, after, 2), fastest), 1e-12 * size(after, fastest));
+  }
+}
+
+TEST(Response, ForcesOnFreeAndGrowingMotion) {
+  const System free(Eigen::Vector2d(2, 5).asDiagonal(), Matrix::Zero(2, 2), Matrix{{1, -1}, {-1, 1}});
+  const System growing(Matrix::Identity(2, 2), Matrix{{0, -0.5}, {0.5, 0}}, Matrix{{-1, 0}, {0, 4}});
+  const System flutter(Matrix::Identity(2, 2), Matrix{{0, -2.5}, {2.5, 0}}, Matrix{{-1, 0}, {0, -4}});
+  const Vector f = Eigen::Vector2d(0.3, -0.7);
+  for (const System& system : {free, growing, flutter}) {
+    for (const State& start : {State{Vector::Zero(2), Vector::Zero(2)}, State{Eigen::Vector2d(0.1, 0.2), Eigen::Vector2d(-0.3, 0.4)}}) {
+      for (const double nu : {0.0, 0.9}) {
+        const Response r(system, start, {{nu == 0 ? Force::Course::step : Force::Course::harmonic, f, nu}});
+        for (const double t : {0.5, 4.0, 12.0}) {
+          const State exact = exact_state(system, start, f, nu, t);
+          EXPECT_LE(distance(r.at(t), exact, 1), 1e-12 * (1 + t) * (size(exact, 1) + 1)) << nu << " " << t << " " << system.stiffness()(0, 0);
+        }
+      }
+    }
+  }
+}
+
+TEST(Response, WrongInput) {
+  Source s{std::mt19937_64(9)};
+  const System system = stable_system(s, 4, false);
+  EXPECT_THROW(Response(system, {Vector::Zero(3), Vector::Zero(4)}), std::invalid_argument);
+  EXPECT_THROW(Response(system, {Vector::Constant(4, NAN), Vector::Zero(4)}), std::invalid_argument);
+  EXPECT_THROW(Response(system, {Vector::Zero(4), Vector::Zero(4)}, {{Force::Course::step, Vector::Zero(2), 0}}), std::invalid_argument);
+}
