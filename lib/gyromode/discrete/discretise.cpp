@@ -146,7 +146,9 @@ Matrix without_translation(const Matrix& a, const Matrix& onto) {
 
 }  // namespace
 
-System discretise(const Spacecraft& s, const Mesh& mesh) {
+System discretise(const Spacecraft& s, const Mesh& mesh) { return twin_of(s, mesh).system; }
+
+Twin twin_of(const Spacecraft& s, const Mesh& mesh) {
   QuadraticEnergy e(coordinates_of(s, mesh), s.spin());
   Numbering n;
   add_body(e, s);
@@ -162,7 +164,7 @@ System discretise(const Spacecraft& s, const Mesh& mesh) {
   k.col(2).setZero();
   Labels labels{"theta1", "theta2", "theta3"};
   labels.insert(labels.end(), n.labels.begin(), n.labels.end());
-  return System(symmetric_part(m), skew_part(g), symmetric_part(k), std::move(labels));
+  return {System(symmetric_part(m), skew_part(g), symmetric_part(k), std::move(labels)), onto};
 }
 
 }  // namespace gyromode

@@ -15,6 +15,13 @@ struct Mesh {
 /// by its being such that the mass centre rests: coordinates θ1, θ2, θ3 and the displacements of the nodes relative to the body, m and rad. Independent of the exact fields, and their check.
 System discretise(const Spacecraft& s, const Mesh& mesh);
 
+/// The same with the displacement of the body in it: ζ = body_displacement · q, 3 × n, by which the mass centre rests.
+struct Twin {
+  System system;
+  Matrix body_displacement;
+};
+Twin twin_of(const Spacecraft& s, const Mesh& mesh);
+
 inline constexpr Index spin_phase_of_twin = 2;  ///< θ3 among its coordinates, in no stored energy
 
 }  // namespace gyromode

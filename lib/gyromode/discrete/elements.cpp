@@ -64,13 +64,28 @@ LagrangeElement::LagrangeElement(Index degree) {
   }
 }
 
+Vector lagrange_shape(Index degree, double x) {
+  const Vector nodes = lobatto_nodes(degree);
+  Vector shape = Vector::Ones(degree + 1);
+  for (Index i = 0; i <= degree; ++i) {
+    for (Index k = 0; k <= degree; ++k) {
+      if (k != i) shape(i) *= (x - nodes(k)) / (nodes(i) - nodes(k));
+    }
+  }
+  return shape;
+}
+
+Eigen::Vector4d hermite_shape(double h, double x) {
+  return {1 - 3 * x * x + 2 * x * x * x, h * (x - 2 * x * x + x * x * x), 3 * x * x - 2 * x * x * x, h * (x * x * x - x * x)};
+}
+
 std::vector<HermitePoint> hermite_points(double h) {
   const GaussRule rule = gauss_rule(4);
   std::vector<HermitePoint> points;
   for (Index g = 0; g < 4; ++g) {
     const double x = rule.at(g);
     HermitePoint p{x, rule.weight(g), {}, {}};
-    p.shape << 1 - 3 * x * x + 2 * x * x * x, h * (x - 2 * x * x + x * x * x), 3 * x * x - 2 * x * x * x, h * (x * x * x - x * x);
+    p.shape = hermite_shape(h, x);
     p.curvature << (12 * x - 6) / (h * h), (6 * x - 4) / h, (6 - 12 * x) / (h * h), (6 * x - 2) / h;
     points.push_back(p);
   }

@@ -22,6 +22,11 @@ class LagrangeElement {
   std::vector<LagrangePoint> points_;
 };
 
+/// Shape functions of an element of that degree at x in [0, 1].
+Vector lagrange_shape(Index degree, double x);
+/// Shape functions of a cubic element of length h at x in [0, 1].
+Eigen::Vector4d hermite_shape(double h, double x);
+
 /// A cubic beam element of length h at the four points of Gauss's rule: shape and curvature of (displacement, slope) at both ends.
 struct HermitePoint {
   double at, weight;

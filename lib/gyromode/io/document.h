@@ -4,6 +4,8 @@
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/result.h"
 #include "gyromode/modes/effective_axes.h"
+#include "gyromode/motion/frequency_response.h"
+#include "gyromode/motion/response.h"
 #include "gyromode/spacecraft/held_booms.h"
 #include "gyromode/structure/realify.h"
 
@@ -44,10 +46,30 @@ struct StructureReport {
   std::vector<EffectiveAxes> effective_axes;  ///< of spacecraft that axes 1 and 2 do not part into in phase and in quadrature
 };
 
+/// A motion over time, as `response` reports it.
+struct ResponseReport {
+  Labels labels;             ///< of the rows of the history
+  History history;
+  bool rates = false;        ///< velocities as well
+  std::vector<ModalShare> modal;
+  Stability stability = Stability::unknown;
+  double initial_energy = 0, zero_energy = 0, remainder_energy = 0;
+  double departure = 0;      ///< of the decomposition at t = 0, relative
+  std::string remark;
+};
+
+/// H(ω)⁻¹f over a grid of frequencies.
+struct FrequencyReport {
+  Labels labels;
+  FrequencyResponse response;
+};
+
 /// A result as text in the format asked for; svg, a picture of the shapes, is for the modes of a spacecraft with shapes. JSON follows the public schemas (docs/results.md), 17 significant digits where needed.
 std::string document(const Model& model, const ModesResult& result, const Timings& timings, Format format);
 std::string document(const Model& model, const CountResult& result, const Timings& timings, Format format);
 std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format);
+std::string document(const Model& model, const ResponseReport& report, const Timings& timings, Format format);
+std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, Format format);
 /// `stability` reports a part of ModesResult.
 std::string stability_document(const Model& model, const ModesResult& result, const Timings& timings, Format format);
 

@@ -1,5 +1,7 @@
 #include "gyromode/io/result_csv.h"
 
+#include "gyromode/io/csv.h"
+
 #include <fmt/format.h>
 
 #include <numbers>
@@ -7,14 +9,6 @@
 namespace gyromode::io {
 
 namespace {
-
-// A field as RFC 4180 quotes it.
-std::string field(const std::string& s) {
-  if (s.find_first_of(",\"\r\n") == std::string::npos) return s;
-  std::string quoted = "\"";
-  for (const char c : s) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 double hertz(double omega) { return omega / (2 * std::numbers::pi); }
 
@@ -24,7 +18,7 @@ std::string modes_csv(const Model& model, const ModesResult& r) {
   const bool shapes = !r.modes.empty() && r.modes.front().shape.size() > 0;
   std::string out = "omega,frequency_hz,growth_rate,kind,energy_sign,multiplicity,residual,error_bound";
   if (shapes) {
-    for (const std::string& label : model.labels()) out += fmt::format(",{},{}", field(label + " re"), field(label + " im"));
+    for (const std::string& label : model.labels()) out += fmt::format(",{},{}", csv_field(label + " re"), csv_field(label + " im"));
   }
   out += "\n";
   for (const Mode& m : r.modes) {
@@ -52,7 +46,7 @@ std::string structure_csv(const Model& model, const StructureReport& report) {
     for (const Index i : component.coordinates) {
       const auto& q = component.in_quadrature;
       const bool second = std::find(q.begin(), q.end(), i) != q.end();
-      out += fmt::format("{},{},{}\n", field(model.labels()[static_cast<std::size_t>(i)]), c + 1,
+      out += fmt::format("{},{},{}\n", csv_field(model.labels()[static_cast<std::size_t>(i)]), c + 1,
                          !component.quadrature() ? "mixed" : second ? "quadrature" : "in_phase");
     }
   }

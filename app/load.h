@@ -1,0 +1,23 @@
+#pragma once
+
+#include "gyromode/discrete/boom_point.h"
+#include "gyromode/motion/state.h"
+
+#include <string>
+#include <vector>
+
+namespace gyromode::app {
+
+/// "impulse:LABEL=P,LABEL=P", "step:LABEL=F", "harmonic:LABEL=F@5Hz". Throws UsageError naming the text and what was expected.
+std::vector<Force> forces_of(const std::vector<std::string>& texts, const Labels& labels);
+
+/// "LABEL=F,LABEL=F": the amplitude of a steady force, all of the texts together.
+Vector amplitude_of(const std::vector<std::string>& texts, const Labels& labels);
+
+/// "cable1@0.5", "beam1@1", "mass2".
+std::vector<BoomPoint> points_of(const std::vector<std::string>& texts);
+
+/// "A:B:N": N frequencies from A to B, both included; each bound with its own unit. Throws UsageError.
+Vector frequency_grid(const std::string& option, const std::string& text);
+
+}  // namespace gyromode::app

@@ -1,0 +1,146 @@
+#include "errors.h"
+#include "exit_code.h"
+#include "job.h"
+#include "load.h"
+#include "verbs.h"
+
+#include "gyromode/io/initial_state.h"
+#include "gyromode/motion/frequency_response.h"
+#include "gyromode/motion/spacecraft_response.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+namespace gyromode::app {
+
+namespace {
+
+struct Options {
+  ModelSource source;
+  OutputOption output;
+  std::string initial, times, frequencies;
+  std::optional<double> until, step;
+  std::vector<std::string> forces, points;
+  bool rates = false;
+};
+
+constexpr double most_rows = 5e6;
+
+Vector times_of(const Options& o) {
+  if (!o.times.empty()) {
+    if (o.until || o.step) throw UsageError("--times gives the times by itself: leave out --until and --step");
+    return io::read_times(o.times);
+  }
+  if (!o.until || !o.step) throw UsageError("response needs times: --until T --step DT, or --times FILE");
+  if (!(*o.until >= 0) || !std::isfinite(*o.until)) throw UsageError(fmt::format("--until {}: a time ≥ 0 was expected", *o.until));
+  if (!(*o.step > 0) || !std::isfinite(*o.step)) throw UsageError(fmt::format("--step {}: a step above 0 was expected, so that times increase", *o.step));
+  const double steps = std::floor(*o.until / *o.step * (1 + 1e-12));
+  if (!(steps < most_rows)) throw UsageError(fmt::format("--until {} --step {}: {:.3g} rows are more than the {:.0e} that are written", *o.until, *o.step, steps, most_rows));
+  Vector t(static_cast<Index>(steps) + 1);
+  for (Index k = 0; k < t.size(); ++k) t(k) = static_cast<double>(k) * *o.step;
+  return t;
+}
+
+template <class AnyResponse>
+void describe(const AnyResponse& r, const Response& inner, const Vector& times, io::ResponseReport& report) {
+  report.history = r.at(times);
+  report.modal = r.modal();
+  report.stability = inner.stability();
+  report.initial_energy = inner.initial_energy();
+  report.zero_energy = inner.zero_energy();
+  report.remainder_energy = inner.remainder_energy();
+  report.departure = inner.departure();
+  for (Index k = 0; k < times.size(); ++k) {
+    if (!report.history.q.col(k).allFinite()) throw UsageError(fmt::format("the motion grows beyond what numbers hold at t = {:g}: ask for less time", times(k)));
+  }
+}
+
+io::ResponseReport moved(const System& system, const Options& o) {
+  if (!o.points.empty()) throw UsageError("--points are places on the booms of a spacecraft model");
+  const State start = o.initial.empty() ? State{Vector::Zero(system.size()), Vector::Zero(system.size())} : io::read_initial_state(o.initial, system.labels());
+  io::ResponseReport report;
+  report.labels = system.labels();
+  const Response r(system, start, forces_of(o.forces, system.labels()), o.source.structure());
+  describe(r, r, times_of(o), report);
+  return report;
+}
+
+io::ResponseReport moved(const Spacecraft& spacecraft, const Options& o) {
+  const State start = o.initial.empty() ? State{Vector::Zero(6), Vector::Zero(6)} : io::read_initial_state(o.initial, spacecraft.labels());
+  const SpacecraftResponse r(spacecraft, start, forces_of(o.forces, spacecraft.labels()), points_of(o.points));
+  io::ResponseReport report;
+  report.labels = r.labels();
+  report.remark = fmt::format("booms as {} elements of degree {} each, {} coordinates about the mass centre, which moves by itself; booms start undeformed", r.mesh().elements, r.mesh().degree,
+                              r.coordinates());
+  describe(r, r.about_centre(), times_of(o), report);
+  return report;
+}
+
+io::ResponseReport moved(const FirstOrderSystem&, const Options&) {
+  throw dense::MethodDoesNotApply("response needs a model of second order, with displacements and velocities; this one is of first order");
+}
+
+io::FrequencyReport swept(const System& system, const Options& o) {
+  return {system.labels(), frequency_response(system, amplitude_of(o.forces, system.labels()), frequency_grid("--frequencies", o.frequencies))};
+}
+template <class Other>
+io::FrequencyReport swept(const Other&, const Options&) {
+  throw dense::MethodDoesNotApply("--frequencies is for matrix models of second order (gyromode convert writes the matrices of a spacecraft)");
+}
+
+void say_resonances(const io::FrequencyReport& r, const OutputOption& output) {
+  for (const FrequencyPoint& p : r.response.points) {
+    if (p.resonance) output.say(fmt::format("ω = {:.17g} rad/s of the grid is a resonance: the response is unbounded there", p.omega));
+  }
+}
+
+int run(const Options& o) {
+  const bool sweep = !o.frequencies.empty();
+  if (sweep && (!o.initial.empty() || o.until || o.step || !o.times.empty() || !o.points.empty())) throw UsageError("--frequencies is the response at steady frequencies: no initial state, no times");
+  if (sweep && o.forces.empty()) throw UsageError("--frequencies needs a force: --force LABEL=F");
+  if (!sweep && o.initial.empty() && o.forces.empty()) throw UsageError("nothing moves: give --initial FILE.csv (columns label,q,qdot) or --force");
+  Job job(o.source, o.output);
+  o.source.remark_on_tolerance(o.output);
+  if (sweep) {
+    const io::FrequencyReport report = job.solve([&](const auto& system) { return swept(system, o); });
+    o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
+    say_resonances(report, o.output);
+    return done;
+  }
+  io::ResponseReport report = job.solve([&](const auto& system) { return moved(system, o); });
+  report.rates = o.rates;
+  o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
+  if (!report.remark.empty()) o.output.say(report.remark);
+  constexpr double loose = 1e-6;
+  if (!(report.departure <= loose)) {
+    o.output.say(fmt::format("the parts of the motion add up to the initial state to {:.1e} only: modes so close to each other are not told apart", report.departure));
+    return not_certified;
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_response(CLI::App& program, int& code) {
+  CLI::App* verb = program.add_subcommand("response", "Motion over time from initial conditions and forces, mode by mode; or the response to forces at steady frequencies");
+  auto o = std::make_shared<Options>();
+  o->source.add_to(*verb);
+  verb->add_option("--initial", o->initial, "Initial displacements and velocities: CSV with the columns label,q,qdot")->type_name("FILE.csv");
+  verb->add_option("--until", o->until, "Last time, s")->type_name("T");
+  verb->add_option("--step", o->step, "Time between rows, s (output only: there is no time stepping)")->type_name("DT");
+  verb->add_option("--times", o->times, "Times instead of --until and --step: one a line, increasing")->type_name("FILE");
+  verb->add_option("--force", o->forces, "impulse:LABEL=P,…  step:LABEL=F,…  harmonic:LABEL=F,…@W (F cos Wt); with --frequencies LABEL=F,…")->type_name("FORCE")->take_all();
+  verb->add_option("--frequencies", o->frequencies, "The response q of q e^{jωt} at N frequencies from A to B instead, points added beside resonances")->type_name("A:B:N");
+  verb->add_option("--points", o->points, "Spacecraft: also the displacement of these places: cable1@0.5 (from root 0 to tip 1), beam1@1, mass1")->type_name("PLACE")->delimiter(',');
+  verb->add_flag("--rates", o->rates, "Also velocities, one column more a coordinate");
+  o->output.add_to(*verb);
+  verb->footer("Without --format the result is CSV.\nExamples:\n  gyromode response models/rigid_body.toml --initial tilt.csv --until 60 --step 0.5 -o tilt.json\n"
+               "  gyromode response models/three_springs.toml --force impulse:y=1 --until 0.1 --step 0.001\n"
+               "  gyromode response models/three_springs.toml --force x=1 --frequencies 10Hz:200Hz:100 -o response.csv\n"
+               "  gyromode response models/geos.toml --force impulse:theta1=10 --points cable1@1 --until 120 --step 1");
+  verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
+}
+
+}  // namespace gyromode::app

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gyromode::io {
+
+/// A row of a CSV file with the line where it stands.
+struct CsvRow {
+  std::size_t line = 0;
+  std::vector<std::string> fields;  ///< blanks around them taken off, quotes of RFC 4180 undone
+};
+
+/// The rows of a CSV text that are not blank and do not start with '#'. Throws InputError for a quote that is not closed on its line.
+std::vector<CsvRow> csv_rows(std::string_view text, const std::filesystem::path& file);
+
+/// A field as RFC 4180 quotes it.
+std::string csv_field(const std::string& s);
+
+}  // namespace gyromode::io
