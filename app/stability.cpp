@@ -3,8 +3,13 @@
 #include "job.h"
 #include "verbs.h"
 
+#include "gyromode/io/number.h"
+#include "gyromode/io/varied_model.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/spacecraft.h"
+#include "gyromode/modes/stability_margin.h"
+
+#include <fmt/format.h>
 
 #include <memory>
 
@@ -15,17 +20,98 @@ namespace {
 struct Options {
   ModelSource source;
   OutputOption output;
+  std::vector<std::string> vary;
 };
 
-int run(const Options& o) {
-  Job job(o.source, o.output);
-  o.source.remark_on_tolerance(o.output);
+// KEY=A:B:N
+struct Axis {
+  std::string key;
+  std::vector<double> values;
+};
+
+double bound(const std::string& text, const std::string& whole) {
+  const auto value = io::parse_any_quantity(text);
+  if (!value) throw UsageError(fmt::format("--vary {}: '{}' is no number, with or without a unit", whole, text));
+  return *value;
+}
+
+Axis axis_of(const std::string& text) {
+  constexpr std::int64_t most = 100000;
+  const std::size_t equals = text.rfind('='), first = text.find(':', equals), second = first == std::string::npos ? first : text.find(':', first + 1);
+  if (equals == std::string::npos || second == std::string::npos) throw UsageError(fmt::format("--vary {}: KEY=A:B:N was expected, such as spin=5rpm:20rpm:31", text));
+  Axis axis{text.substr(0, equals), {}};
+  const double a = bound(text.substr(equals + 1, first - equals - 1), text), b = bound(text.substr(first + 1, second - first - 1), text);
+  const auto n = io::whole_number(text.substr(second + 1));
+  if (!n || *n < 2 || *n > most) throw UsageError(fmt::format("--vary {}: a number of values from 2 to {} was expected at the end", text, most));
+  if (!(b > a)) throw UsageError(fmt::format("--vary {}: A < B was expected", text));
+  for (std::int64_t k = 0; k < *n; ++k) axis.values.push_back(k + 1 == *n ? b : a + (b - a) * static_cast<double>(k) / static_cast<double>(*n - 1));
+  return axis;
+}
+
+ModesOptions options_of(const io::Model& model, const Options& o) {
   ModesOptions options;
   options.structure = o.source.structure();
-  if (std::holds_alternative<Spacecraft>(job.model().system)) options.lowest = 1;  // the verdict needs no window
-  const ModesResult result = job.solve([&](const auto& system) { return find_modes(system, options); });
-  o.output.write(stability_document(job.model(), result, job.timings(), o.output.chosen()));
-  if (result.stability != Stability::unknown) return done;
+  if (std::holds_alternative<Spacecraft>(model.system)) options.lowest = 1;  // the verdict needs no window
+  return options;
+}
+
+StabilityPoint verdict_at(const io::VariedModel& varied, const std::vector<std::string>& keys, const std::vector<double>& values, const Options& o) {
+  StabilityPoint p;
+  try {
+    const io::Model model = varied.at(keys, values);
+    const ModesResult r = std::visit([&](const auto& system) { return find_modes(system, options_of(model, o)); }, model.system);
+    p.stability = r.stability;
+    p.balance = r.index_balance;
+    if (!r.unstable.empty()) p.growth_rate = r.unstable.front().growth_rate;
+  } catch (const BrokenPromise& e) {
+    p.lawful = false;
+    p.reason = e.what();
+  }
+  return p;
+}
+
+StabilityMap mapped(const Options& o, const std::vector<Axis>& axes, std::vector<std::string>& keys) {
+  const io::VariedModel varied{std::filesystem::path(o.source.model)};
+  std::vector<std::vector<double>> values;
+  for (const Axis& axis : axes) {
+    try {
+      varied.require_key(axis.key);
+    } catch (const std::invalid_argument& e) {
+      throw UsageError(fmt::format("--vary: {}", e.what()));
+    }
+    keys.push_back(axis.key);
+    values.push_back(axis.values);
+  }
+  Stopwatch since;
+  double quiet = 0;
+  const auto progress = [&](Index done_cells, Index all) {
+    constexpr double seconds_between_words = 5;
+    quiet += since.lap();
+    if (quiet < seconds_between_words) return;
+    quiet = 0;
+    o.output.say(fmt::format("{} of {} cells", done_cells, all));
+  };
+  return map_stability([&](const std::vector<double>& at) { return verdict_at(varied, keys, at, o); }, std::move(values), progress);
+}
+
+int run(const Options& o) {
+  std::vector<Axis> axes;
+  for (const std::string& text : o.vary) axes.push_back(axis_of(text));
+  if (axes.size() > 2) throw UsageError("--vary: one parameter, or two for a chart");
+  if (!axes.empty() && o.source.model.empty()) throw UsageError("--vary changes numbers of a model file: give one instead of --mass and --stiffness");
+  Job job(o.source, o.output);
+  o.source.remark_on_tolerance(o.output);
+  ModesOptions options = options_of(job.model(), o);
+  options.shapes = true;
+  io::StabilityReport report;
+  report.result = job.solve([&](const auto& system) { return find_modes(system, options); });
+  if (const auto* system = std::get_if<System>(&job.model().system)) {
+    report.opposite = nearest_opposite_pair(report.result.modes);
+    report.stiffness = stiffness_margin(*system);
+  }
+  if (!axes.empty()) report.map = mapped(o, axes, report.varied);
+  o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
+  if (report.result.stability != Stability::unknown) return done;
   o.output.say("the verdict is unknown: the index balance does not close");
   return not_certified;
 }
@@ -33,11 +119,19 @@ int run(const Options& o) {
 }  // namespace
 
 void add_stability(CLI::App& program, int& code) {
-  CLI::App* verb = program.add_subcommand("stability", "Stability verdict with its proof: the index balance, negative-energy modes, growth rates");
+  CLI::App* verb = program.add_subcommand("stability", "Stability verdict with its proof: the index balance, negative-energy modes, growth rates, margins; mapped over parameters");
   auto o = std::make_shared<Options>();
   o->source.add_to(*verb);
+  verb->add_option("--vary", o->vary,
+                   "Also the verdict at N values from A to B of a number of the model file, and the critical values between; twice: a chart. KEY is its dotted path, arrays from 0, [*] for all items; "
+                   "SI, or each bound with its own unit")
+      ->type_name("KEY=A:B:N")
+      ->take_all();
   o->output.add_to(*verb);
-  verb->footer("Examples:\n  gyromode stability models/three_springs.toml\n  gyromode stability models/rigid_body.toml --format json");
+  verb->footer("Examples:\n  gyromode stability models/three_springs.toml\n  gyromode stability models/rigid_body.toml --format json\n"
+               "  gyromode stability models/three_springs.toml --vary spin=0:12000rpm:25\n"
+               "  gyromode stability models/geos.toml --vary 'cable[*].length=5:40:8'\n"
+               "  gyromode stability models/mms.toml --vary body.inertia[2]=500:3000:6 --format json");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
 }
 

@@ -50,7 +50,7 @@ std::string document(const Model& model, const StructureReport& report, const Ti
   }
 }
 
-std::string stability_document(const Model& model, const ModesResult& result, const Timings& timings, Format format) {
+std::string document(const Model& model, const StabilityReport& result, const Timings& timings, Format format) {
   switch (format) {
     case Format::json: return stability_json(model, result, timings);
     case Format::csv: return stability_csv(result);

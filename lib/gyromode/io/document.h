@@ -7,6 +7,7 @@
 #include "gyromode/motion/frequency_response.h"
 #include "gyromode/motion/response.h"
 #include "gyromode/spacecraft/held_booms.h"
+#include "gyromode/sweep/stability_map.h"
 #include "gyromode/structure/realify.h"
 
 #include <optional>
@@ -46,6 +47,17 @@ struct StructureReport {
   std::vector<EffectiveAxes> effective_axes;  ///< of spacecraft that axes 1 and 2 do not part into in phase and in quadrature
 };
 
+/// What `stability` reports: the verdict with what it rests on.
+struct StabilityReport {
+  ModesResult result;
+  /// The roots of opposite energy sign nearest to each other, rad/s; nothing where there are none.
+  std::optional<std::array<double, 2>> opposite;
+  /// The eigenvalue of (K, M) nearest to zero that is none, rad²/s²: how far K is from changing its index. Matrix models of second order.
+  std::optional<double> stiffness;
+  std::vector<std::string> varied;   ///< keys
+  std::optional<StabilityMap> map;
+};
+
 /// A motion over time, as `response` reports it.
 struct ResponseReport {
   Labels labels;             ///< of the rows of the history
@@ -70,7 +82,6 @@ std::string document(const Model& model, const CountResult& result, const Timing
 std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format);
 std::string document(const Model& model, const ResponseReport& report, const Timings& timings, Format format);
 std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, Format format);
-/// `stability` reports a part of ModesResult.
-std::string stability_document(const Model& model, const ModesResult& result, const Timings& timings, Format format);
+std::string document(const Model& model, const StabilityReport& report, const Timings& timings, Format format);
 
 }  // namespace gyromode::io

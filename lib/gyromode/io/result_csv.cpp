@@ -53,7 +53,19 @@ std::string structure_csv(const Model& model, const StructureReport& report) {
   return out;
 }
 
-std::string stability_csv(const ModesResult& r) {
+// The map where there is one, else the verdict.
+std::string stability_csv(const StabilityReport& report) {
+  if (report.map) {
+    std::string out;
+    for (const std::string& key : report.varied) out += csv_field(key) + ",";
+    out += "stability,growth_rate,real_pairs,quadruples,negative_energy\n";
+    for (const auto& [values, p] : report.map->cells) {
+      for (const double v : values) out += fmt::format("{},", v);
+      out += p.lawful ? fmt::format("{},{},{},{},{}\n", word(p.stability), p.growth_rate, p.balance.real_pairs, p.balance.quadruples, p.balance.negative_energy) : "no_model,,,,\n";
+    }
+    return out;
+  }
+  const ModesResult& r = report.result;
   const IndexBalance& b = r.index_balance;
   return fmt::format("stability,negative,real_pairs,quadruples,negative_energy,zero,zero_negative,closed\n{},{},{},{},{},{},{},{}\n", word(r.stability),
                      b.negative, b.real_pairs, b.quadruples, b.negative_energy, b.zero, b.zero_negative, b.closed);

@@ -8,6 +8,6 @@ namespace gyromode::io {
 std::string modes_csv(const Model& model, const ModesResult& result);
 std::string count_csv(const CountResult& result);
 std::string structure_csv(const Model& model, const StructureReport& report);
-std::string stability_csv(const ModesResult& result);
+std::string stability_csv(const StabilityReport& report);
 
 }  // namespace gyromode::io

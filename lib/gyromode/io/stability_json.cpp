@@ -3,13 +3,44 @@
 
 namespace gyromode::io {
 
-std::string stability_json(const Model& model, const ModesResult& r, const Timings& timings) {
+namespace {
+
+Json verdict(const StabilityPoint& p) { return p.lawful ? Json(gyromode::word(p.stability)) : Json(nullptr); }
+
+void add_map(const StabilityReport& r, Json& j) {
+  j["varied"] = r.varied;
+  j["map"] = Json::array();
+  for (const auto& [values, p] : r.map->cells) {
+    Json cell{{"values", values}, {"stability", verdict(p)}, {"growth_rate", p.growth_rate}, {"real_pairs", p.balance.real_pairs}, {"quadruples", p.balance.quadruples},
+              {"negative_energy", p.balance.negative_energy}};
+    if (!p.reason.empty()) cell["reason"] = p.reason;
+    j["map"].push_back(std::move(cell));
+  }
+  j["critical"] = Json::array();
+  for (const CriticalValue& c : r.map->critical) {
+    Json one{{"key", r.varied[c.axis]}, {"value", c.value}, {"from", verdict(c.from)}, {"to", verdict(c.to)}};
+    for (std::size_t k = 0; k < c.others.size(); ++k) one["at"][r.varied[k + 1]] = c.others[k];
+    j["critical"].push_back(std::move(one));
+  }
+}
+
+}  // namespace
+
+std::string stability_json(const Model& model, const StabilityReport& report, const Timings& timings) {
+  const ModesResult& r = report.result;
   Json j = head("gyromode/stability/1", model, timings);
   j["stability"] = gyromode::word(r.stability);
   j["index_balance"] = balance_json(r.index_balance);
   j["unstable"] = unstable_array(r.unstable);
   j["negative_modes"] = modes_array(model, r.negative_modes);
-  j["margin"] = {{"opposite_sign_gap", number(r.opposite_gap)}};
+  j["margin"] = {{"opposite_sign_gap", number(r.opposite_gap)}, {"opposite_pair", report.opposite ? Json(*report.opposite) : Json(nullptr)},
+                 {"stiffness", report.stiffness ? Json(*report.stiffness) : Json(nullptr)}};
+  if (!r.first_order) {
+    Json destabilised = Json::array();
+    for (const Mode& m : r.negative_modes) destabilised.push_back(m.omega);
+    j["damping"] = {{"growing_roots", r.index_balance.negative - r.index_balance.zero_negative}, {"destabilised", std::move(destabilised)}};
+  }
+  if (report.map) add_map(report, j);
   return text(j);
 }
 

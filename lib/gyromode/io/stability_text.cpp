@@ -7,16 +7,110 @@
 
 namespace gyromode::io {
 
-std::string stability_text(const Model& model, const ModesResult& r, Format format) {
+namespace {
+
+// What damping that acts in every motion makes of it: as many growing roots as K has negative eigenvalues (Kelvin, Tait, Chetaev; Zajac 1964).
+std::string damping_words(const ModesResult& r) {
+  const Index growing = r.index_balance.negative - r.index_balance.zero_negative;
+  if (r.first_order) return "not a part of first-order models";
+  if (growing == 0) return "makes every vibration decay";
+  return fmt::format("that acts in every motion leaves {} growing, as K has {} negative{}", growing == 1 ? "1 root" : fmt::format("{} roots", growing), growing,
+                     r.negative_modes.empty() ? "" : fmt::format(": each mode of negative energy grows ({})", r.negative_modes.size()));
+}
+
+std::string largest_in(const Model& model, const ComplexVector& shape) {
+  if (shape.size() == 0) return "";
+  Index at = 0;
+  shape.cwiseAbs().maxCoeff(&at);
+  return model.labels()[static_cast<std::size_t>(at)];
+}
+
+std::string negative_table(const Model& model, const std::vector<Mode>& modes, Format format) {
+  Grid grid({"ω [rad/s]", "energy", "error bound", "largest in"});
+  for (const Mode& m : modes) grid.add({fmt::format("{:.15g}", m.omega), m.energy_sign < 0 ? "−" : "0: a pair of both signs", fmt::format("{:.1e}", m.error_bound), largest_in(model, m.shape)});
+  return written(grid, format);
+}
+
+std::string growing_table(const Model& model, const std::vector<UnstableMode>& modes, Format format) {
+  Grid grid({"growth rate [1/s]", "ω [rad/s]", "kind", "largest in"});
+  for (const UnstableMode& u : modes) {
+    grid.add({fmt::format("{:.15g}", u.growth_rate), fmt::format("{:.15g}", u.omega), u.flutter() ? "flutter" : "divergence", largest_in(model, u.shape)});
+  }
+  return written(grid, format);
+}
+
+std::string verdict_word(const StabilityPoint& p) { return p.lawful ? std::string(word(p.stability)) : "no model"; }
+
+char letter(const StabilityPoint& p) {
+  if (!p.lawful) return ' ';
+  switch (p.stability) {
+    case Stability::stable: return 's';
+    case Stability::gyroscopically_stabilised: return 'g';
+    case Stability::marginal: return 'm';
+    case Stability::unstable: return p.balance.quadruples > 0 ? 'F' : 'D';
+    default: return '?';
+  }
+}
+
+// The second parameter upwards, the first to the right.
+std::string chart(const StabilityReport& r) {
+  const auto& along = r.map->axes[0];
+  const auto& across = r.map->axes[1];
+  std::string out = fmt::format("\n{} upwards, {} to the right\n", r.varied[1], r.varied[0]);
+  for (std::size_t j = across.size(); j-- > 0;) {
+    out += fmt::format("{:>12.6g} ", across[j]);
+    for (std::size_t i = 0; i < along.size(); ++i) out += letter(r.map->cells[j * along.size() + i].point);
+    out += "\n";
+  }
+  const std::string last = fmt::format("{:.6g}", along.back()), first = fmt::format("{:.6g}", along.front());
+  out += fmt::format("{:>13}{}{}{}\n", "", first, std::string(along.size() > first.size() + last.size() ? along.size() - first.size() - last.size() : 1, ' '), last);
+  return out + "s stable, g gyroscopically stabilised, D divergence, F flutter, m marginal, ? unknown, blank: no such model\n";
+}
+
+std::string line_of_map(const StabilityReport& r, Format format) {
+  Grid grid({r.varied[0], "verdict", "growth rate [1/s]", "divergent", "flutter", "negative energy"});
+  for (const auto& [values, p] : r.map->cells) {
+    grid.add({fmt::format("{:.10g}", values[0]), verdict_word(p), p.lawful ? fmt::format("{:.6g}", p.growth_rate) : "", fmt::format("{}", p.balance.real_pairs),
+              fmt::format("{}", p.balance.quadruples), fmt::format("{}", p.balance.negative_energy)});
+  }
+  return "\n" + written(grid, format);
+}
+
+std::string critical_table(const StabilityReport& r, Format format) {
+  std::vector<std::string> head{r.varied[0]};
+  if (r.varied.size() > 1) head.push_back("at " + r.varied[1]);
+  head.insert(head.end(), {"from", "to"});
+  Grid grid(head);
+  for (const CriticalValue& c : r.map->critical) {
+    std::vector<std::string> row{fmt::format("{:.15g}", c.value)};
+    for (const double v : c.others) row.push_back(fmt::format("{:.10g}", v));
+    row.insert(row.end(), {verdict_word(c.from), verdict_word(c.to)});
+    grid.add(std::move(row));
+  }
+  return grid.empty() ? "\nno critical value between the points of the grid\n" : "\ncritical values\n" + written(grid, format);
+}
+
+}  // namespace
+
+std::string stability_text(const Model& model, const StabilityReport& report, Format format) {
+  const ModesResult& r = report.result;
   std::string out = heading(format, model_line(model));
   out += fact(format, "stability", stability_words(r.stability));
   if (!r.first_order) {
     out += fact(format, "stiffness", stiffness_words(r.stiffness));
     out += fact(format, "balance", balance_words(r.index_balance));
+    out += fact(format, "damping", damping_words(r));
   }
-  if (std::isfinite(r.opposite_gap)) out += fact(format, "margin", fmt::format("nearest roots of opposite energy sign are {:.3g} apart, relative", r.opposite_gap));
-  if (!r.negative_modes.empty()) out += "\nmodes of negative energy\n" + frequency_table(r.negative_modes, format);
-  if (!r.unstable.empty()) out += "\n" + unstable_table(r.unstable, format);
+  if (report.opposite) {
+    out += fact(format, "margin", fmt::format("roots of opposite energy sign come nearest at {:.10g} and {:.10g} rad/s, {:.3g} apart", (*report.opposite)[0], (*report.opposite)[1],
+                                              (*report.opposite)[1] - (*report.opposite)[0]));
+  } else if (std::isfinite(r.opposite_gap)) {
+    out += fact(format, "margin", fmt::format("nearest roots of opposite energy sign are {:.3g} apart, relative", r.opposite_gap));
+  }
+  if (report.stiffness) out += fact(format, "", fmt::format("the eigenvalue of (K, M) nearest to zero is {:.6g} rad²/s²", *report.stiffness));
+  if (!r.negative_modes.empty()) out += "\nmodes of negative energy\n" + negative_table(model, r.negative_modes, format);
+  if (!r.unstable.empty()) out += "\n" + growing_table(model, r.unstable, format);
+  if (report.map) out += (report.varied.size() > 1 ? chart(report) : line_of_map(report, format)) + critical_table(report, format);
   return out;
 }
 

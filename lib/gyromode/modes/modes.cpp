@@ -4,6 +4,8 @@
 #include "gyromode/modes/coverage.h"
 #include "gyromode/modes/shape.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -34,6 +36,18 @@ Mode made(const SolvedSystem& s, const Frequencies::Entry& e, bool with_shape) {
   m.error_bound = c.assessment.error_bound(e.position);
   if (with_shape) m.shape = full_shape(s, c.spectrum, c.spectrum.shape(e.position));
   return m;
+}
+
+// The null vector of N(λ) = K + λG + λ²M by two steps of inverse iteration: λ is a root to rounding.
+UnstableMode grown(const SolvedSystem& s, const SolvedComponent& c, Complex lambda, bool with_shape) {
+  UnstableMode u{lambda.real(), lambda.imag(), {}};
+  if (!with_shape) return u;
+  const Eigen::FullPivLU<ComplexMatrix> n(c.impedance.characteristic_at(lambda * (1 + 1e-14)));
+  ComplexVector x = ComplexVector::Ones(c.spectrum.size());
+  for (int step = 0; step < 2; ++step) x = n.solve(x).normalized().eval();
+  if (!x.allFinite()) return u;
+  u.shape = full_shape(s, c.spectrum, x);
+  return u;
 }
 
 bool rigid(const SolvedSystem& s, const Frequencies::Entry& e) {
@@ -75,14 +89,14 @@ ModesResult result_of(const SolvedSystem& s, const ModesOptions& options) {
   r.coverage = coverage(s, f, options.window, window, ends_of(s, f, window));
   r.opposite_gap = std::numeric_limits<double>::infinity();
   for (const SolvedComponent& c : s.components) {
-    for (const double sigma : c.spectrum.divergence) r.unstable.push_back({sigma, 0});
-    for (const Complex& lambda : c.spectrum.flutter) r.unstable.push_back({lambda.real(), lambda.imag()});
+    for (const double sigma : c.spectrum.divergence) r.unstable.push_back(grown(s, c, sigma, options.shapes));
+    for (const Complex& lambda : c.spectrum.flutter) r.unstable.push_back(grown(s, c, lambda, options.shapes));
     r.opposite_gap = std::min(r.opposite_gap, c.verdict.gap);
   }
   std::sort(r.unstable.begin(), r.unstable.end(), [](const UnstableMode& a, const UnstableMode& b) { return a.growth_rate > b.growth_rate; });
   for (const auto& e : f.entries) {
     if (window.contains(e.omega)) r.modes.push_back(made(s, e, options.shapes));
-    if (e.energy_sign < 0 || (e.energy_sign == 0 && e.position >= 0)) r.negative_modes.push_back(made(s, e, false));
+    if (e.energy_sign < 0 || (e.energy_sign == 0 && e.position >= 0)) r.negative_modes.push_back(made(s, e, options.shapes));
   }
   return r;
 }

@@ -34,6 +34,7 @@ struct Mode {
 struct UnstableMode {
   double growth_rate = 0;
   double omega = 0;
+  ComplexVector shape;  ///< X of Re(X e^{(σ + jω)t}), largest entry 1; empty unless asked for
 
   bool flutter() const { return omega > 0; }
 };
