@@ -3,6 +3,7 @@
 #include "input.h"
 #include "verbs.h"
 
+#include "gyromode/dense/constant_form.h"
 #include "gyromode/discrete/discretise.h"
 #include "gyromode/io/matrix_market.h"
 
@@ -22,6 +23,8 @@ struct Options {
   ModelSource source;
   std::string folder;
   bool quiet = false;
+  bool realified = false;
+  bool transformation = false;
   std::optional<Index> elements;
 };
 
@@ -36,17 +39,43 @@ void write_system(const fs::path& folder, const FirstOrderSystem& s, const std::
   io::write_matrix_market(folder / "G.mtx", s.gyroscopic(), io::Symmetry::skew_symmetric, title + ": gyroscopic G of I q' + G q = 0");
 }
 
+// W.mtx, and with it U.mtx = [displacement velocity]; D.mtx and Q.mtx where W = DᵀD.
+std::string write_constant_form(const fs::path& folder, const System& s, const Options& o, const std::string& title) {
+  const dense::ConstantForm form = dense::constant_form(s, analyse(s, {0, HiddenSearch::always}));
+  io::write_matrix_market(folder / "W.mtx", form.w, io::Symmetry::symmetric, title + ": eigenvalues ω². " + form.path);
+  std::string names = ", W.mtx";
+  if (!o.transformation) return names;
+  Matrix u(s.size(), 2 * s.size());
+  u << form.displacement, form.velocity;
+  io::write_matrix_market(folder / "U.mtx", u, io::Symmetry::general, title + ": u = U (q, q') obeys u'' = -W u");
+  names += ", U.mtx";
+  if (form.bidiagonal) {
+    io::write_matrix_market(folder / "D.mtx", *form.bidiagonal, io::Symmetry::general, title + ": bidiagonal D, W = D'D");
+    io::write_matrix_market(folder / "Q.mtx", *form.orthogonal, io::Symmetry::general, title + ": orthogonal Q of order 2n, Z = Q T Q'");
+    names += ", D.mtx, Q.mtx";
+  }
+  return names;
+}
+
 int run(const Options& o) {
+  if (o.transformation && !o.realified) throw UsageError("--transformation goes with --realified");
   io::Model model = o.source.read();
   if (const auto* craft = std::get_if<Spacecraft>(&model.system)) model.system = System(discretise(*craft, Mesh{o.elements.value_or(Mesh{}.elements), 1}));
   else if (o.elements) throw UsageError("--elements belongs to spacecraft models");
   std::error_code error;
   fs::create_directories(o.folder, error);
   if (!fs::is_directory(o.folder)) throw io::InputError(o.folder, "cannot be made a folder: a place to write matrices was expected");
+  // Refused before anything is written.
   std::visit([&](const auto& system) {
     if constexpr (!std::is_same_v<std::decay_t<decltype(system)>, Spacecraft>) write_system(o.folder, system, model.title);
   }, model.system);
-  if (!o.quiet) fmt::print(stderr, "gyromode: {} written to {}\n", std::holds_alternative<System>(model.system) ? "M.mtx, G.mtx, K.mtx" : "I.mtx, G.mtx", o.folder);
+  const auto* second_order = std::get_if<System>(&model.system);
+  std::string names = second_order ? "M.mtx, G.mtx, K.mtx" : "I.mtx, G.mtx";
+  if (o.realified) {
+    if (!second_order) throw dense::MethodDoesNotApply("--realified is for models of second order: eigenvalues of W are their ω²");
+    names += write_constant_form(o.folder, *second_order, o, model.title);
+  }
+  if (!o.quiet) fmt::print(stderr, "gyromode: {} written to {}\n", names, o.folder);
   return done;
 }
 
@@ -58,8 +87,10 @@ void add_convert(CLI::App& program, int& code) {
   o->source.add_to(*verb, false);
   verb->add_option("-o,--output", o->folder, "Folder for M.mtx, G.mtx, K.mtx (I.mtx, G.mtx for first-order models)")->type_name("DIR")->required();
   verb->add_option("--elements", o->elements, "Spacecraft: linear elements a cable (default 50)")->type_name("N")->check(CLI::Range(1, 2000));
+  verb->add_flag("--realified", o->realified, "Also W.mtx, the real symmetric n × n matrix whose eigenvalues are ω² (quadrature class, visible or hidden, or K ≥ 0)");
+  verb->add_flag("--transformation", o->transformation, "With it U.mtx, n × 2n: u = U (q, q') obeys u'' = −W u; and where W = DᵀD also D.mtx and the orthogonal Q.mtx");
   verb->add_flag("--quiet", o->quiet, "No remarks on stderr; errors remain");
-  verb->footer("Example:\n  gyromode convert models/three_springs.toml -o matrices");
+  verb->footer("Example:\n  gyromode convert models/three_springs.toml -o matrices\n  gyromode convert models/wiresaw.toml -o matrices --realified --transformation");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
 }
 
