@@ -40,8 +40,7 @@ void write_system(const fs::path& folder, const FirstOrderSystem& s, const std::
 }
 
 // W.mtx, and with it U.mtx = [displacement velocity]; D.mtx and Q.mtx where W = DᵀD.
-std::string write_constant_form(const fs::path& folder, const System& s, const Options& o, const std::string& title) {
-  const dense::ConstantForm form = dense::constant_form(s, analyse(s, {0, HiddenSearch::always}));
+std::string write_constant_form(const fs::path& folder, const System& s, const dense::ConstantForm& form, const Options& o, const std::string& title) {
   io::write_matrix_market(folder / "W.mtx", form.w, io::Symmetry::symmetric, title + ": eigenvalues ω². " + form.path);
   std::string names = ", W.mtx";
   if (!o.transformation) return names;
@@ -62,19 +61,20 @@ int run(const Options& o) {
   io::Model model = o.source.read();
   if (const auto* craft = std::get_if<Spacecraft>(&model.system)) model.system = System(discretise(*craft, Mesh{o.elements.value_or(Mesh{}.elements), 1}));
   else if (o.elements) throw UsageError("--elements belongs to spacecraft models");
+  const auto* second_order = std::get_if<System>(&model.system);
+  std::optional<dense::ConstantForm> form;  // refused, where there is none, before anything is written
+  if (o.realified) {
+    if (!second_order) throw dense::MethodDoesNotApply("--realified is for models of second order: eigenvalues of W are their ω²");
+    form = dense::constant_form(*second_order, analyse(*second_order, {0, HiddenSearch::always}));
+  }
   std::error_code error;
   fs::create_directories(o.folder, error);
   if (!fs::is_directory(o.folder)) throw io::InputError(o.folder, "cannot be made a folder: a place to write matrices was expected");
-  // Refused before anything is written.
   std::visit([&](const auto& system) {
     if constexpr (!std::is_same_v<std::decay_t<decltype(system)>, Spacecraft>) write_system(o.folder, system, model.title);
   }, model.system);
-  const auto* second_order = std::get_if<System>(&model.system);
   std::string names = second_order ? "M.mtx, G.mtx, K.mtx" : "I.mtx, G.mtx";
-  if (o.realified) {
-    if (!second_order) throw dense::MethodDoesNotApply("--realified is for models of second order: eigenvalues of W are their ω²");
-    names += write_constant_form(o.folder, *second_order, o, model.title);
-  }
+  if (form) names += write_constant_form(o.folder, *second_order, *form, o, model.title);
   if (!o.quiet) fmt::print(stderr, "gyromode: {} written to {}\n", names, o.folder);
   return done;
 }

@@ -2,6 +2,8 @@
 
 #include "gyromode/lapack/multiply.h"
 
+#include <Eigen/SVD>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -62,12 +64,19 @@ double residual_norm(const Impedance& h, const Products& p, double omega, Index 
   return std::hypot((p.k_re.col(i) - w2 * p.m_re.col(i) + omega * p.g_re.col(i)).norm(), (p.k_im.col(i) - w2 * p.m_im.col(i) + omega * p.g_im.col(i)).norm());
 }
 
+std::vector<Index> chosen(const std::vector<Index>& v, const std::vector<Index>& order) {
+  std::vector<Index> sorted;
+  for (const Index i : order) sorted.push_back(v[static_cast<std::size_t>(i)]);
+  return sorted;
+}
+
 void sort_by_frequency(dense::Spectrum& s, Assessment& a) {
   const Index m = s.omega.size();
   if (std::is_sorted(s.omega.begin(), s.omega.end())) return;
   std::vector<Index> order(static_cast<std::size_t>(m));
   std::iota(order.begin(), order.end(), Index{0});
   std::stable_sort(order.begin(), order.end(), [&](Index i, Index k) { return s.omega(i) < s.omega(k); });
+  a.cluster = chosen(a.cluster, order);
   for (Vector* v : {&s.omega, &a.residual, &a.form, &a.error_bound, &a.sensitivity}) *v = Vector((*v)(order));
   s.re = Matrix(s.re(Eigen::all, order));
   s.im = Matrix(s.im(Eigen::all, order));
@@ -78,9 +87,49 @@ Functional functional(const Impedance& h, const dense::Spectrum& s, const Produc
   return {form_of(s, p.m_re, p.m_im, i), form_of(s, p.g_re, p.g_im, i), k, h.second_order()};
 }
 
+// X_iᴴ(2ωM − jG)X_k (X_iᴴIX_k in first order).
+Complex form_between(const Impedance& h, const dense::Spectrum& s, const Products& p, Index i, Index k, double omega) {
+  const auto image = [&](const Matrix& m, const Matrix& g) -> Vector { return h.second_order() ? Vector(2 * omega * m.col(k) - g.col(k)) : Vector(m.col(k)); };
+  const Vector re = image(p.m_re, p.g_re), im = image(p.m_im, p.g_im);
+  const double real = s.re.col(i).dot(re) + s.im.col(i).dot(im);
+  return h.quadrature() ? Complex(real, 0) : Complex(real, s.re.col(i).dot(im) - s.im.col(i).dot(re));
+}
+
+double smallest_singular_value(const ComplexMatrix& a) { return Eigen::JacobiSVD<ComplexMatrix>(a).singularValues().minCoeff(); }
+
+// Runs of roots, in order of frequency, whose intervals overlap.
+void bound_clusters(const Impedance& h, const dense::Spectrum& s, const Products& p, Assessment& a) {
+  constexpr std::size_t most = 64;  // a larger run is no cluster but a spectrum that rounding cannot resolve: the single bounds stand
+  std::vector<Index> order(static_cast<std::size_t>(s.omega.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index i, Index k) { return s.omega(i) < s.omega(k); });
+  const Vector single = a.error_bound;
+  for (std::size_t first = 0, last; first < order.size(); first = last + 1) {
+    last = first;
+    while (last + 1 < order.size() && s.omega(order[last + 1]) - s.omega(order[last]) <= single(order[last]) + single(order[last + 1])) ++last;
+    const std::size_t count = last - first + 1;
+    if (count == 1 || count > most) continue;
+    ComplexMatrix gram(static_cast<Index>(count), static_cast<Index>(count));
+    double residual2 = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Index at = order[first + i];
+      residual2 += std::pow((a.residual(at) + epsilon) * h.scale(s.omega(at)), 2);
+      for (std::size_t k = 0; k < count; ++k) {
+        const double lengths = std::hypot(s.re.col(at).norm(), s.im.col(at).norm()) * std::hypot(s.re.col(order[first + k]).norm(), s.im.col(order[first + k]).norm());
+        gram(static_cast<Index>(i), static_cast<Index>(k)) = form_between(h, s, p, at, order[first + k], s.omega(at)) / lengths;
+      }
+    }
+    const double bound = std::sqrt(residual2) / smallest_singular_value(gram);
+    for (std::size_t i = first; i <= last; ++i) {
+      a.error_bound(order[i]) = std::max(single(order[i]), bound);
+      a.cluster[static_cast<std::size_t>(order[i])] = static_cast<Index>(count);
+    }
+  }
+}
+
 Assessment measured(const Impedance& h, dense::Spectrum& s, const Products& p) {
   const Index m = s.omega.size();
-  Assessment a{Vector(m), Vector(m), Vector(m), Vector(m)};
+  Assessment a{Vector(m), Vector(m), Vector(m), Vector(m), std::vector<Index>(static_cast<std::size_t>(m), 1)};
   for (Index i = 0; i < m; ++i) {
     const double omega = s.omega(i);
     const double length2 = s.re.col(i).squaredNorm() + s.im.col(i).squaredNorm();
@@ -90,6 +139,7 @@ Assessment measured(const Impedance& h, dense::Spectrum& s, const Products& p) {
     a.sensitivity(i) = scale / std::abs(a.form(i));
     a.error_bound(i) = (a.residual(i) + epsilon) * a.sensitivity(i);
   }
+  bound_clusters(h, s, p, a);
   sort_by_frequency(s, a);
   return a;
 }

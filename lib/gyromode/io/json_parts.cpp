@@ -27,6 +27,7 @@ Json mode_json(const Model& model, const Mode& m) {
   j["multiplicity"] = m.multiplicity;
   j["residual"] = number(m.residual);
   j["error_bound"] = number(m.error_bound);
+  if (m.cluster > 1) j["cluster"] = m.cluster;
   if (m.bracket) j["bracket"] = *m.bracket;
   if (m.shape.size() > 0) {
     const Vector re = m.shape.real();

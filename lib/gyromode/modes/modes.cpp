@@ -34,6 +34,7 @@ Mode made(const SolvedSystem& s, const Frequencies::Entry& e, bool with_shape) {
   m.energy_sign = e.energy_sign;
   m.residual = c.assessment.residual(e.position);
   m.error_bound = c.assessment.error_bound(e.position);
+  m.cluster = c.assessment.cluster[static_cast<std::size_t>(e.position)];
   if (with_shape) m.shape = full_shape(s, c.spectrum, c.spectrum.shape(e.position));
   return m;
 }

@@ -25,6 +25,7 @@ struct Mode {
   Index multiplicity = 1;
   double residual = 0;           ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂)
   double error_bound = 0;        ///< on |δω|, to first order
+  Index cluster = 1;             ///< how many modes rounding cannot tell apart here: of more than one the span is what is determined, not each shape
   std::optional<std::array<double, 2>> bracket;  ///< [lo, hi] between which a count proves the root, where there is one
   std::vector<ComplexMatrix> field;  ///< displacement of the points of each outline, 3 × points, in the scale of the shape; spacecraft only, with shapes
   ComplexVector shape;           ///< empty unless asked for; largest entry 1 (the first of ties), n entries in the order of the labels
