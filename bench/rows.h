@@ -13,7 +13,7 @@ namespace gyromode::bench {
 
 /// One interleaved run. Ratios are those of the first contestant, ours, to each of the others.
 struct Row {
-  std::string key;    ///< "a" … "f"
+  std::string key;    ///< "a" … "g"
   std::string title;  ///< the system and its order
   std::string path;   ///< what gyromode says of the solver it took
   double others = 0;  ///< share of the processors that other processes used meanwhile: what to distrust a row for
@@ -38,5 +38,6 @@ std::vector<Row> indefinite_rows(const RowOptions& options);   ///< c
 std::vector<Row> certificate_rows(const RowOptions& options);  ///< d
 std::vector<Row> process_rows(const RowOptions& options);      ///< e
 std::vector<Row> spacecraft_rows(const RowOptions& options);   ///< f
+std::vector<Row> hidden_rows(const RowOptions& options);       ///< g
 
 }  // namespace gyromode::bench

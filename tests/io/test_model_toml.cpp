@@ -185,7 +185,7 @@ TEST_F(ModelToml, KnownValuesAreCheckedWhereTheyStand) {
   const std::string model = start + "mass = [[1]]\nstiffness = [[1]]\n[known]\n";
   EXPECT_EQ(error(model + "stability = \"stabel\"\n"),
             "model.toml:5:13: 'stabel' is no stability: stable, gyroscopically_stabilised, marginal, unstable was expected");
-  EXPECT_EQ(error(model + "class = \"special\"\n"), "model.toml:5:9: 'special' is no class: quadrature, general, transcendental was expected");
+  EXPECT_EQ(error(model + "class = \"special\"\n"), "model.toml:5:9: 'special' is no class: quadrature, hidden_quadrature, general, transcendental was expected");
   EXPECT_EQ(error(model + "frequencies = [2, 1]\n"), "model.toml:5:15: 'frequencies' do not ascend: rad/s in ascending order were expected");
   EXPECT_EQ(error(model + "frequency = [1]\n"), "model.toml:5:1: key 'frequency' is not known here: did you mean 'frequencies'?");
 }

@@ -22,6 +22,9 @@ double number_in(const CsvRow& row, std::size_t column, std::string_view what, c
   throw InputError(file, row.line, 0, fmt::format("{} '{}' is {}: a finite number was expected", what, shown(field), p.outcome == Parsed::not_finite ? "not finite" : "no number"));
 }
 
+// A label as it is, unless a terminal would obey it.
+std::string readable(const std::string& label) { return has_control_character(label) ? shown(label) : label; }
+
 struct Columns {
   std::size_t label, q, qdot;
 };
@@ -50,9 +53,9 @@ State parse_initial_state(std::string_view text, const std::filesystem::path& fi
     if (columns.label >= row.fields.size()) throw InputError(file, row.line, 0, "no label on this line: label,q,qdot was expected");
     const std::string& label = row.fields[columns.label];
     const auto at = std::find(labels.begin(), labels.end(), label);
-    if (at == labels.end()) throw InputError(file, row.line, 0, fmt::format("'{}' is no coordinate of the model: did you mean '{}'?", shown(label), nearest(label, known)));
+    if (at == labels.end()) throw InputError(file, row.line, 0, fmt::format("'{}' is no coordinate of the model: did you mean '{}'?", readable(label), nearest(label, known)));
     const auto i = static_cast<std::size_t>(at - labels.begin());
-    if (given[i] > 0) throw InputError(file, row.line, 0, fmt::format("'{}' is given a second time (first on line {})", shown(label), given[i]));
+    if (given[i] > 0) throw InputError(file, row.line, 0, fmt::format("'{}' is given a second time (first on line {})", readable(label), given[i]));
     given[i] = row.line;
     state.q(static_cast<Index>(i)) = number_in(row, columns.q, "q", file);
     state.qdot(static_cast<Index>(i)) = number_in(row, columns.qdot, "qdot", file);

@@ -18,7 +18,7 @@ namespace gyromode::io {
 struct KnownValues {
   std::vector<double> frequencies;   ///< rad/s, ascending
   std::string stability;             ///< a word of the verdict, or empty
-  std::string system_class;          ///< quadrature, general or transcendental, or empty
+  std::string system_class;          ///< quadrature, hidden_quadrature, general or transcendental, or empty
 };
 
 /// A model as read: the system, and where it comes from.

@@ -102,7 +102,7 @@ KnownValues read_known(const TomlTable& table) {
   inner->allow_only(known_keys);
   known.frequencies = inner->numbers("frequencies");
   known.stability = one_of(*inner, "stability", {"stable", "gyroscopically_stabilised", "marginal", "unstable"});
-  known.system_class = one_of(*inner, "class", {"quadrature", "general", "transcendental"});
+  known.system_class = one_of(*inner, "class", {"quadrature", "hidden_quadrature", "general", "transcendental"});
   if (!std::is_sorted(known.frequencies.begin(), known.frequencies.end())) inner->fail("frequencies", "'frequencies' do not ascend: rad/s in ascending order were expected");
   return known;
 }

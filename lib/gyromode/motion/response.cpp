@@ -152,6 +152,7 @@ Response::Response(const System& system, const State& initial, const std::vector
       accelerations.push_back(push);
     }
   }
+  start_ = start;
   const SolvedSystem solved = solve_components(system, structure, dense::Method::automatic);
   stability_ = solved.stability();
   complete_ = solved.index_balance().closed;
@@ -180,6 +181,7 @@ Response::Response(const System& system, const State& initial, const std::vector
 }
 
 State Response::at(double t) const {
+  if (t == 0) return start_;
   State w{Vector::Zero(mass_.rows()), Vector::Zero(mass_.rows())};
   for (const auto& part : parts_) {
     const State own = part->at(t);

@@ -57,6 +57,7 @@ class Response {
   struct Part;
   std::vector<std::unique_ptr<Part>> parts_;
   std::vector<ModalShare> modal_;
+  State start_;  // at t = 0⁺
   Matrix mass_, stiffness_;
   double initial_energy_ = 0, zero_energy_ = 0, remainder_energy_ = 0, departure_ = 0;
   Stability stability_ = Stability::unknown;
