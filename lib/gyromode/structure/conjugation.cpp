@@ -3,8 +3,10 @@
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/singular.h"
 #include "gyromode/lapack/symmetric.h"
+#include "gyromode/structure/phases.h"
 
 #include <Eigen/QR>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +53,9 @@ Conjugation::Conjugation(ComplexMatrix u, std::vector<Cluster> clusters) : u_(st
       for (Index i = c.first; i <= j; ++i) unknowns_.push_back({i, j});
     }
   }
+}
+
+void Conjugation::decompose() {
   if (size() <= dense_unknowns) decompose_densely();
   else decompose_by_lanczos();
   sharpen();
@@ -85,17 +90,18 @@ void Conjugation::decompose_densely() {
 Vector Conjugation::applied(const Vector& x) const {
   const Index m = size();
   const double half = std::sqrt(0.5);
-  ComplexMatrix z = ComplexMatrix::Zero(w_.rows(), w_.cols());  // W D̄
+  ComplexMatrix z = ComplexMatrix::Zero(w_.rows(), w_.cols());  // (W D̄)ᵀ, by columns of its transpose: W is symmetric
   for (Index v = 0; v < m; ++v) {
     const auto [i, j] = unknowns_[static_cast<std::size_t>(v)];
     const Complex d = Complex(x(v), -x(m + v)) * (i == j ? 1.0 : half);
     z.col(j) += d * w_.col(i);
     if (i != j) z.col(i) += d * w_.col(j);
   }
+  z.transposeInPlace();
   Vector y(2 * m);
   for (Index v = 0; v < m; ++v) {
     const auto [i, j] = unknowns_[static_cast<std::size_t>(v)];
-    Complex d = z.row(i) * w_.col(j);
+    Complex d = z.col(i).conjugate().dot(w_.col(j));
     if (i != j) d /= half;
     y(v) = d.real();
     y(m + v) = d.imag();
@@ -127,7 +133,7 @@ void Conjugation::decompose_by_lanczos() {
   vectors_ = lapack::multiply(q.leftCols(k), e.vectors);
 }
 
-ComplexMatrix Conjugation::element(const Vector& x) const {
+ComplexMatrix Conjugation::left_factor(const Vector& x) const {
   const Index m = size();
   const double half = std::sqrt(0.5);
   ComplexMatrix y = ComplexMatrix::Zero(u_.rows(), u_.cols());  // Ū D
@@ -137,6 +143,11 @@ ComplexMatrix Conjugation::element(const Vector& x) const {
     y.col(j) += d * u_.col(i).conjugate();
     if (i != j) y.col(i) += d * u_.col(j).conjugate();
   }
+  return y;
+}
+
+ComplexMatrix Conjugation::element(const Vector& x) const {
+  const ComplexMatrix y = left_factor(x);
   const Matrix y_re = y.real(), y_im = y.imag(), u_re = u_.real(), u_im = u_.imag();
   ComplexMatrix z(u_.rows(), u_.rows());
   z.real() = lapack::multiply_nt(y_re, u_re) + lapack::multiply_nt(y_im, u_im);
@@ -146,8 +157,9 @@ ComplexMatrix Conjugation::element(const Vector& x) const {
 
 // σ = 1 − ‖Im X‖²: eigenvalues tell ‖Im X‖ to √ε only. On the span of the vectors beside 1 the singular values of the linear map D ↦ Im X tell it to ε.
 void Conjugation::sharpen() {
-  constexpr double beside = 1e-5;
-  constexpr Index most = 300;
+  constexpr double beside = 1e-5, work = 2e10;  // of the orthogonalisation, operations
+  const double n2 = static_cast<double>(u_.rows()) * static_cast<double>(u_.rows());
+  const Index most = std::max<Index>(8, static_cast<Index>(std::sqrt(work / (2 * n2))));
   std::vector<Index> top;
   for (Index k = values_.size(); k-- > 0 && static_cast<Index>(top.size()) < most;) {
     if (values_(k) >= largest() - beside) top.push_back(k);
@@ -171,8 +183,64 @@ Matrix Conjugation::real_element(double spread, std::uint64_t seed) const {
     const double decay = std::exp(-(departures_(k) - departures_.minCoeff()) / spread);
     if (decay > 1e-12) x += weight(k) * decay * vectors_.col(k);
   }
-  const Matrix re = element(x).real();
+  return real_part(x);
+}
+
+Matrix Conjugation::real_part(const Vector& x) const {
+  const ComplexMatrix y = left_factor(x);
+  const Matrix y_re = y.real(), y_im = y.imag(), u_re = u_.real(), u_im = u_.imag();
+  Matrix re = lapack::multiply_nt(y_re, u_re);
+  lapack::multiply_into(re, 1, y_im, false, u_im, true, 1);
   return 0.5 * (re + re.transpose());
+}
+
+// Every block the unitary factor of its polar decomposition; a phase where it is a number.
+void Conjugation::make_blocks_unitary(Vector& x) const {
+  const Index m = size();
+  const double half = std::sqrt(0.5);
+  Index v = 0;
+  for (const Cluster& c : clusters_) {
+    if (c.count == 1) {
+      const double size = std::hypot(x(v), x(m + v));
+      if (size > 0) x(v) /= size, x(m + v) /= size;
+      ++v;
+      continue;
+    }
+    ComplexMatrix block(c.count, c.count);
+    Index at = v;
+    for (Index j = 0; j < c.count; ++j) {
+      for (Index i = 0; i <= j; ++i, ++at) block(i, j) = block(j, i) = Complex(x(at), x(m + at)) * (i == j ? 1.0 : half);
+    }
+    const Eigen::JacobiSVD<ComplexMatrix> svd(block, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const ComplexMatrix unitary = svd.matrixU() * svd.matrixV().adjoint();
+    for (Index j = 0; j < c.count; ++j) {
+      for (Index i = 0; i <= j; ++i, ++v) {
+        const Complex d = 0.5 * (unitary(i, j) + unitary(j, i)) / (i == j ? 1.0 : half);
+        x(v) = d.real();
+        x(m + v) = d.imag();
+      }
+    }
+  }
+}
+
+Matrix Conjugation::by_strongest_couplings(double noise) const {
+  constexpr int averages = 4;
+  const Index m = size();
+  const ComplexVector phases = phases_by_couplings(w_, noise);
+  Vector x = Vector::Zero(2 * m);
+  for (Index v = 0, c = 0; c < static_cast<Index>(clusters_.size()); ++c) {
+    const Cluster& cluster = clusters_[static_cast<std::size_t>(c)];
+    if (cluster.count == 1) {  // those of clusters stay 0 until the others say what they are
+      x(v) = phases(cluster.first).real();
+      x(m + v) = phases(cluster.first).imag();
+    }
+    v += cluster.count * (cluster.count + 1) / 2;
+  }
+  for (int k = 0; k < averages; ++k) {
+    x = applied(x);
+    make_blocks_unitary(x);
+  }
+  return real_part(x);
 }
 
 }  // namespace gyromode

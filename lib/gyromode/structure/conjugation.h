@@ -21,10 +21,17 @@ class Conjugation {
  public:
   Conjugation(ComplexMatrix u, std::vector<Cluster> clusters);
 
-  /// A generic element of the span of solutions D of unit length with ‖Im X‖_F within about `spread` of the least, as the real part of X (n × n, symmetric).
+  /// One solution by the strongest couplings, as the real part of X (n × n, symmetric): a D of phases satisfies d_i d_j = w_ij/w̄_ij, so a maximum spanning tree over |w_ij| gives all of a connected set
+  /// from one of them, and its strongest odd cycle or w_ii that one. Entries up to `noise` are none. Blocks of clusters follow from the rest. Cheap; to be verified, as nothing is decided here.
+  Matrix by_strongest_couplings(double noise) const;
+
+  /// Computes the space of solutions, for what follows: robust for clusters and several solutions, and at least as expensive as the eigenproblem of U.
+  void decompose();
+  /// A generic element of the span of solutions D of unit length with ‖Im X‖_F within about `spread` of the least, as the real part of X.
   Matrix real_element(double spread, std::uint64_t seed) const;
   /// The largest eigenvalue: 1 where a real X exists.
   double largest() const { return values_.size() == 0 ? 0 : values_.maxCoeff(); }
+  Index unknowns() const { return size(); }
 
  private:
   struct Unknown {
@@ -32,10 +39,13 @@ class Conjugation {
   };
   Index size() const { return static_cast<Index>(unknowns_.size()); }
   Vector applied(const Vector& d) const;  // on (Re d, Im d)
+  void make_blocks_unitary(Vector& d) const;
+  Matrix real_part(const Vector& d) const;
   Matrix operator_matrix() const;
   void decompose_densely();
   void decompose_by_lanczos();
-  ComplexMatrix element(const Vector& d) const;  // X = Ū D Uᴴ
+  ComplexMatrix left_factor(const Vector& d) const;  // Ū D
+  ComplexMatrix element(const Vector& d) const;      // X = Ū D Uᴴ
   void sharpen();
 
   ComplexMatrix u_;

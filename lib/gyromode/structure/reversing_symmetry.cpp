@@ -52,6 +52,9 @@ Normalised normalised(const Matrix& mass, const Matrix& gyroscopic, const Matrix
   return s;
 }
 
+// Where the strongest couplings do not lead to a symmetry, the space of all solutions is computed for so many unknowns: about the order of the system, more with clusters.
+constexpr Index affordable_unknowns = 600;
+
 double ratio(double a, double b) { return b > 0 ? a / b : a > 0 ? std::numeric_limits<double>::infinity() : 0; }
 
 ComplexMatrix hermitian_combination(const Normalised& s, double unit_k, double unit_gamma) {
@@ -92,7 +95,7 @@ SymmetrySearch find_reversing_symmetry(const Matrix& mass, const Matrix& gyrosco
   const auto e = lapack::hermitian_eigen(hermitian_combination(s, unit_k, unit_gamma));
   const double noise = epsilon * n + s.noise_k / unit_k + s.noise_gamma / unit_gamma;
   // Eigenvectors mix by noise over distance: within a cluster at will, across clusters by a tenth at most.
-  const Conjugation conjugation(e.vectors, clusters_of(e.values, 10 * noise));
+  Conjugation conjugation(e.vectors, clusters_of(e.values, 10 * noise));
 
   const auto worst = [&](const Reflection& r) { return std::max(ratio(r.breach_k(), limit_k), ratio(r.breach_gamma(), limit_gamma)); };
   std::optional<Reflection> best;
@@ -100,10 +103,21 @@ SymmetrySearch find_reversing_symmetry(const Matrix& mass, const Matrix& gyrosco
     if (!best || worst(r) < worst(*best)) best = std::move(r);
     return worst(*best) <= 1;
   };
-  draw(conjugation, noise, [&](SignedBasis v) { return take(Reflection(s.k, s.gamma, std::move(v.plus), std::move(v.minus))); });
-  constexpr double near = 0.1;  // of ‖k‖ and ‖Γ‖: farther off no turn is a small one
-  constexpr double plain = 0.05;  // of what rounding may do
-  if (worst(*best) > plain && best->breach_k() <= near * s.norm_k && best->breach_gamma() <= near * s.norm_gamma) take(turned(s.k, s.gamma, *best, unit_k, unit_gamma));
+  const auto try_out = [&](SignedBasis v) { return take(Reflection(s.k, s.gamma, std::move(v.plus), std::move(v.minus))); };
+  constexpr double near = 0.1, plain = 0.05;  // of ‖k‖ and ‖Γ‖: farther off no turn is a small one; of what rounding may do: nothing to turn
+  const auto turn = [&] {
+    if (worst(*best) > plain && best->breach_k() <= near * s.norm_k && best->breach_gamma() <= near * s.norm_gamma) take(turned(s.k, s.gamma, *best, unit_k, unit_gamma));
+  };
+  try_out(sign_of(conjugation.by_strongest_couplings(10 * noise)));
+  turn();
+  // With every eigenvalue of A by itself the phases are necessary conditions: far off, there is nothing to be found.
+  const bool near_miss = best->breach_k() <= near * s.norm_k && best->breach_gamma() <= near * s.norm_gamma;
+  const bool open = near_miss || conjugation.unknowns() > mass.rows();
+  if (worst(*best) > 1 && open && conjugation.unknowns() <= affordable_unknowns) {
+    conjugation.decompose();
+    draw(conjugation, noise, try_out);
+    turn();
+  }
   SymmetrySearch result;
   const bool by_k = ratio(best->breach_k(), limit_k) > ratio(best->breach_gamma(), limit_gamma);
   result.breach = by_k ? ratio(best->breach_k(), s.norm_k) : ratio(best->breach_gamma(), s.norm_gamma);
