@@ -223,7 +223,7 @@ void Conjugation::make_blocks_unitary(Vector& x) const {
   }
 }
 
-Matrix Conjugation::by_strongest_couplings(double noise) const {
+Matrix Conjugation::by_strongest_couplings(const Vector& noise) const {
   constexpr int averages = 4;
   const Index m = size();
   const ComplexVector phases = phases_by_couplings(w_, noise);

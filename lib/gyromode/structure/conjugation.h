@@ -22,8 +22,8 @@ class Conjugation {
   Conjugation(ComplexMatrix u, std::vector<Cluster> clusters);
 
   /// One solution by the strongest couplings, as the real part of X (n × n, symmetric): a D of phases satisfies d_i d_j = w_ij/w̄_ij, so a maximum spanning tree over |w_ij| gives all of a connected set
-  /// from one of them, and its strongest odd cycle or w_ii that one. Entries up to `noise` are none. Blocks of clusters follow from the rest. Cheap; to be verified, as nothing is decided here.
-  Matrix by_strongest_couplings(double noise) const;
+  /// from one of them, and its strongest odd cycle or w_ii that one. `noise`: of the eigenvectors, one number each (phases_by_couplings). Blocks of clusters follow from the rest. Cheap; to be verified, as nothing is decided here.
+  Matrix by_strongest_couplings(const Vector& noise) const;
 
   /// Computes the space of solutions, for what follows: robust for clusters and several solutions, and at least as expensive as the eigenproblem of U.
   void decompose();

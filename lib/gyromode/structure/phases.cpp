@@ -7,24 +7,26 @@ namespace gyromode {
 
 namespace {
 
+constexpr double stands_out = 10;
+
 // arg d_i = sign·φ + offset, φ that of the root.
 struct Node {
   double sign = 0, offset = 0;
 };
 
 // Grows the tree of `root` by Prim's rule; the nodes in the order in which they came.
-std::vector<Index> grow(const ComplexMatrix& w, double noise, Index root, std::vector<Node>& nodes) {
+std::vector<Index> grow(const Matrix& strength, const ComplexMatrix& w, Index root, std::vector<Node>& nodes) {
   const Index n = w.rows();
   std::vector<Index> tree{root};
   nodes[static_cast<std::size_t>(root)] = {1, 0};
-  Vector strongest = Vector::Constant(n, noise);
+  Vector strongest = Vector::Constant(n, stands_out);
   std::vector<Index> by(static_cast<std::size_t>(n), -1);
   for (Index last = root; last >= 0;) {
     Index next = -1;
-    double best = noise;
+    double best = stands_out;
     for (Index j = 0; j < n; ++j) {
       if (nodes[static_cast<std::size_t>(j)].sign != 0) continue;
-      const double link = std::abs(w(j, last));
+      const double link = strength(j, last);
       if (link > strongest(j)) {
         strongest(j) = link;
         by[static_cast<std::size_t>(j)] = last;
@@ -46,14 +48,14 @@ std::vector<Index> grow(const ComplexMatrix& w, double noise, Index root, std::v
 }
 
 // arg d_i + arg d_j = 2 arg w_ij with equal signs: 2 sign φ = 2 arg w_ij − offsets.
-double root_phase(const ComplexMatrix& w, double noise, const std::vector<Index>& tree, const std::vector<Node>& nodes) {
-  double best = noise, phase = 0;
+double root_phase(const Matrix& strength, const ComplexMatrix& w, const std::vector<Index>& tree, const std::vector<Node>& nodes) {
+  double best = stands_out, phase = 0;
   for (const Index i : tree) {
     const Node& a = nodes[static_cast<std::size_t>(i)];
     for (const Index j : tree) {
       const Node& b = nodes[static_cast<std::size_t>(j)];
-      if (a.sign != b.sign || !(std::abs(w(j, i)) > best)) continue;
-      best = std::abs(w(j, i));
+      if (a.sign != b.sign || !(strength(j, i) > best)) continue;
+      best = strength(j, i);
       phase = a.sign * 0.5 * (2 * std::arg(w(j, i)) - a.offset - b.offset);
     }
   }
@@ -62,14 +64,16 @@ double root_phase(const ComplexMatrix& w, double noise, const std::vector<Index>
 
 }  // namespace
 
-ComplexVector phases_by_couplings(const ComplexMatrix& w, double noise) {
+ComplexVector phases_by_couplings(const ComplexMatrix& w, const Vector& noise) {
   const Index n = w.rows();
+  Matrix strength = w.cwiseAbs();
+  for (Index j = 0; j < n; ++j) strength.col(j).array() /= noise.array() + noise(j);
   std::vector<Node> nodes(static_cast<std::size_t>(n));
   ComplexVector d(n);
   for (Index root = 0; root < n; ++root) {
     if (nodes[static_cast<std::size_t>(root)].sign != 0) continue;
-    const std::vector<Index> tree = grow(w, noise, root, nodes);
-    const double phase = root_phase(w, noise, tree, nodes);
+    const std::vector<Index> tree = grow(strength, w, root, nodes);
+    const double phase = root_phase(strength, w, tree, nodes);
     for (const Index i : tree) {
       const Node& node = nodes[static_cast<std::size_t>(i)];
       d(i) = std::polar(1.0, node.sign * phase + node.offset);

@@ -65,18 +65,73 @@ ComplexMatrix hermitian_combination(const Normalised& s, double unit_k, double u
   return a;
 }
 
-// Elements of the space of solutions, each a generic one, until `good` says that one is: where the space is a line to within `spread`, one is as good as
-// another; where it is not, an unlucky draw can be nearly singular.
-template <class Good>
-void draw(const Conjugation& conjugation, double noise, Good&& good) {
-  for (const double spread : {10 * noise, 1e-7, 1e-3}) {
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      SignedBasis v = sign_of(conjugation.real_element(spread, seed));
-      const bool clear = v.clearness > 0.1;
-      if (good(std::move(v))) return;
-      if (clear) break;
+// The best reflection so far. Breaches are measured against what rounding may do: at most 4n times the noise.
+class Search {
+ public:
+  explicit Search(const Normalised& s)
+      : s_(s), n_(static_cast<double>(s.k.rows())), unit_k_(unit(s.norm_k)), unit_gamma_(unit(s.norm_gamma)), limit_k_(safety * n_ * s.noise_k), limit_gamma_(safety * n_ * s.noise_gamma) {}
+
+  double unit_k() const { return unit_k_; }
+  double unit_gamma() const { return unit_gamma_; }
+  const Reflection& best() const { return *best_; }
+  bool found() const { return worst(*best_) <= 1; }
+  /// Breaches that are small parts of ‖k‖ and ‖Γ‖.
+  bool near_miss() const { return best_->breach_k() <= near * s_.norm_k && best_->breach_gamma() <= near * s_.norm_gamma; }
+
+  void consider(SignedBasis v) { take(Reflection(s_.k, s_.gamma, std::move(v.plus), std::move(v.minus))); }
+  /// By small angles, where they can do something.
+  void turn() {
+    constexpr double plain = 0.05;  // of what rounding may do: nothing to turn
+    if (worst(*best_) > plain && near_miss()) take(turned(s_.k, s_.gamma, *best_, unit_k_, unit_gamma_));
+  }
+  // Elements of the space of solutions, each a generic one, until one will do: where the space is a line to within `spread`, one is as good as another; where it is not, an unlucky draw can be
+  // nearly singular.
+  void draw(const Conjugation& conjugation, double noise) {
+    for (const double spread : {10 * noise, 1e-7, 1e-3}) {
+      for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        SignedBasis v = sign_of(conjugation.real_element(spread, seed));
+        const bool clear = v.clearness > 0.1;
+        consider(std::move(v));
+        if (found()) return;
+        if (clear) break;
+      }
     }
   }
+
+  SymmetrySearch result() const {
+    const bool by_k = ratio(best_->breach_k(), limit_k_) > ratio(best_->breach_gamma(), limit_gamma_);
+    SymmetrySearch r;
+    r.breach = by_k ? ratio(best_->breach_k(), s_.norm_k) : ratio(best_->breach_gamma(), s_.norm_gamma);
+    r.threshold = by_k ? ratio(limit_k_, s_.norm_k) : ratio(limit_gamma_, s_.norm_gamma);
+    r.amplification = r.threshold / (safety * n_ * epsilon);
+    return r;
+  }
+
+ private:
+  static constexpr double safety = 4, near = 0.1;
+
+  double unit(double norm) const { return norm > 0 ? norm / std::sqrt(n_) : 1; }
+  double worst(const Reflection& r) const { return std::max(ratio(r.breach_k(), limit_k_), ratio(r.breach_gamma(), limit_gamma_)); }
+  void take(Reflection r) {
+    if (!best_ || worst(r) < worst(*best_)) best_ = std::move(r);
+  }
+
+  const Normalised& s_;
+  double n_, unit_k_, unit_gamma_, limit_k_, limit_gamma_;
+  std::optional<Reflection> best_;
+};
+
+// How far `noise` in A turns each of its eigenvectors towards its neighbours.
+Vector noise_of_vectors(const Vector& ascending, double noise) {
+  const Index n = ascending.size();
+  Vector turned(n);
+  for (Index i = 0; i < n; ++i) {
+    double gap = std::numeric_limits<double>::infinity();
+    if (i > 0) gap = ascending(i) - ascending(i - 1);
+    if (i + 1 < n) gap = std::min(gap, ascending(i + 1) - ascending(i));
+    turned(i) = noise * (1 + 1 / std::max(gap, noise));
+  }
+  return turned;
 }
 
 }  // namespace
@@ -87,48 +142,28 @@ Matrix ReversingSymmetry::reflection(const Matrix& mass) const {
 
 SymmetrySearch find_reversing_symmetry(const Matrix& mass, const Matrix& gyroscopic, const Matrix& stiffness) {
   const Normalised s = normalised(mass, gyroscopic, stiffness);
-  const double n = static_cast<double>(mass.rows());
-  const double unit_k = s.norm_k > 0 ? s.norm_k / std::sqrt(n) : 1, unit_gamma = s.norm_gamma > 0 ? s.norm_gamma / std::sqrt(n) : 1;
-  constexpr double safety = 4;
-  const double limit_k = safety * n * s.noise_k, limit_gamma = safety * n * s.noise_gamma;
-
-  const auto e = lapack::hermitian_eigen(hermitian_combination(s, unit_k, unit_gamma));
-  const double noise = epsilon * n + s.noise_k / unit_k + s.noise_gamma / unit_gamma;
+  Search search(s);
+  const auto e = lapack::hermitian_eigen(hermitian_combination(s, search.unit_k(), search.unit_gamma()));
+  const double noise = epsilon * static_cast<double>(mass.rows()) + s.noise_k / search.unit_k() + s.noise_gamma / search.unit_gamma();
   // Eigenvectors mix by noise over distance: within a cluster at will, across clusters by a tenth at most.
   Conjugation conjugation(e.vectors, clusters_of(e.values, 10 * noise));
-
-  const auto worst = [&](const Reflection& r) { return std::max(ratio(r.breach_k(), limit_k), ratio(r.breach_gamma(), limit_gamma)); };
-  std::optional<Reflection> best;
-  const auto take = [&](Reflection r) {
-    if (!best || worst(r) < worst(*best)) best = std::move(r);
-    return worst(*best) <= 1;
-  };
-  const auto try_out = [&](SignedBasis v) { return take(Reflection(s.k, s.gamma, std::move(v.plus), std::move(v.minus))); };
-  constexpr double near = 0.1, plain = 0.05;  // of ‖k‖ and ‖Γ‖: farther off no turn is a small one; of what rounding may do: nothing to turn
-  const auto turn = [&] {
-    if (worst(*best) > plain && best->breach_k() <= near * s.norm_k && best->breach_gamma() <= near * s.norm_gamma) take(turned(s.k, s.gamma, *best, unit_k, unit_gamma));
-  };
-  try_out(sign_of(conjugation.by_strongest_couplings(10 * noise)));
-  turn();
+  search.consider(sign_of(conjugation.by_strongest_couplings(noise_of_vectors(e.values, noise))));
+  search.turn();
   // With every eigenvalue of A by itself the phases are necessary conditions: far off, there is nothing to be found.
-  const bool near_miss = best->breach_k() <= near * s.norm_k && best->breach_gamma() <= near * s.norm_gamma;
-  const bool open = near_miss || conjugation.unknowns() > mass.rows();
-  if (worst(*best) > 1 && open && conjugation.unknowns() <= affordable_unknowns) {
+  const bool open = search.near_miss() || conjugation.unknowns() > mass.rows();
+  if (!search.found() && open && conjugation.unknowns() <= affordable_unknowns) {
     conjugation.decompose();
-    draw(conjugation, noise, try_out);
-    turn();
+    search.draw(conjugation, noise);
+    search.turn();
   }
-  SymmetrySearch result;
-  const bool by_k = ratio(best->breach_k(), limit_k) > ratio(best->breach_gamma(), limit_gamma);
-  result.breach = by_k ? ratio(best->breach_k(), s.norm_k) : ratio(best->breach_gamma(), s.norm_gamma);
-  result.threshold = by_k ? ratio(limit_k, s.norm_k) : ratio(limit_gamma, s.norm_gamma);
-  result.amplification = result.threshold / (safety * n * epsilon);
-  if (!(worst(*best) <= 1)) return result;
+  SymmetrySearch result = search.result();
+  if (!search.found()) return result;
   const auto to_physical = [&](Matrix v) {
     lapack::solve_lower_transposed(s.l, v);
     return Matrix(s.scale.asDiagonal() * v);
   };
-  result.found = ReversingSymmetry{to_physical(std::move(best->plus)), to_physical(std::move(best->minus)), std::move(best->b), std::move(best->k1), std::move(best->k2)};
+  const Reflection& r = search.best();
+  result.found = ReversingSymmetry{to_physical(r.plus), to_physical(r.minus), r.b, r.k1, r.k2};
   return result;
 }
 
