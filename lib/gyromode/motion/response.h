@@ -10,6 +10,8 @@
 
 namespace gyromode {
 
+class ComponentMotion;
+
 /// One undamped mode's share of a motion: q_s(t) = amplitude · Re(X e^{j(ωt + phase)}) (Boland & Janssens 1979, Eq. 7).
 struct ModalShare {
   double omega = 0;
@@ -54,8 +56,7 @@ class Response {
   bool complete() const { return complete_; }  ///< the modes were counted
 
  private:
-  struct Part;
-  std::vector<std::unique_ptr<Part>> parts_;
+  std::vector<std::unique_ptr<ComponentMotion>> parts_;
   std::vector<ModalShare> modal_;
   State start_;  // at t = 0⁺
   Matrix mass_, stiffness_;
