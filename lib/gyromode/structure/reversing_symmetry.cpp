@@ -3,6 +3,7 @@
 #include "gyromode/lapack/hermitian.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/status.h"
+#include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/structure/conjugation.h"
 #include "gyromode/structure/reflection.h"
@@ -17,6 +18,7 @@ namespace gyromode {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double allowance = 4;  // times n: what rounding may do, in units of what one error in the last place does on average
 
 // Mass-normalised coordinates q = D L⁻ᵀ z, and what one unit in the last place of every entry of M, G, K does to k and Γ there (Frobenius norms).
 struct Normalised {
@@ -108,7 +110,7 @@ class Search {
   }
 
  private:
-  static constexpr double safety = 4, near = 0.1;
+  static constexpr double safety = allowance, near = 0.1;
 
   double unit(double norm) const { return norm > 0 ? norm / std::sqrt(n_) : 1; }
   double worst(const Reflection& r) const { return std::max(ratio(r.breach_k(), limit_k_), ratio(r.breach_gamma(), limit_gamma_)); }
@@ -120,6 +122,48 @@ class Search {
   double n_, unit_k_, unit_gamma_, limit_k_, limit_gamma_;
   std::optional<Reflection> best_;
 };
+
+// One number a column of P, n × n in physical coordinates: a random error of one unit in the last place of every entry of a matrix, relative to the largest of its row, becomes ε ρ_i ρ_k at (i, k) of
+// PᵀδP on average.
+Vector reach(const Matrix& p, const Matrix& a) { return (p.cwiseAbs2().transpose() * largest_by_row(a)).cwiseSqrt(); }
+
+// Of every eigenvalue of k, its modulus; of those that rounding makes, the least of the others.
+Vector sizes(const Vector& eigenvalues, const Vector& rounding) {
+  double least = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < eigenvalues.size(); ++i) {
+    if (std::abs(eigenvalues(i)) > rounding(i)) least = std::min(least, std::abs(eigenvalues(i)));
+  }
+  return eigenvalues.cwiseAbs().cwiseMax(std::isfinite(least) ? least : 0);
+}
+
+// The conditions once more, entry by entry, in the eigenvectors of k₁ and k₂: where K is graded, norms see nothing of its soft part. An entry may be as large, relative to the geometric mean of its
+// row and column, as the norms are allowed relative to ‖k‖ and ‖Γ‖, or as large as rounding makes it there. The largest ratio to that.
+double worst_entry(const Reflection& r, const Normalised& s, const Matrix& mass, const Matrix& gyroscopic, const Matrix& stiffness) {
+  const Index p = r.plus.cols(), n = s.k.rows();
+  const auto one = lapack::symmetric_eigen(r.k1), two = lapack::symmetric_eigen(r.k2);
+  Matrix basis(n, n);
+  basis << lapack::multiply(r.plus, one.vectors), lapack::multiply(r.minus, two.vectors);
+  const Matrix k = lapack::multiply_tn(basis, lapack::multiply(s.k, basis)), gamma = lapack::multiply_tn(basis, lapack::multiply(s.gamma, basis));
+  lapack::solve_lower_transposed(s.l, basis);
+  const Matrix physical = s.scale.asDiagonal() * basis;
+  const Vector of_m = reach(physical, mass), of_g = reach(physical, gyroscopic), of_k = reach(physical, stiffness);
+  // An error δ of M adds ½(δk + kδ) to k, and likewise to Γ.
+  const Vector through_k = (k.cwiseAbs2().transpose() * of_m.cwiseAbs2()).cwiseSqrt(), through_gamma = (gamma.cwiseAbs2().transpose() * of_m.cwiseAbs2()).cwiseSqrt();
+  const double many = allowance * static_cast<double>(n);
+  const Vector size_k = sizes(k.diagonal(), many * epsilon * (of_k.cwiseAbs2() + 2 * of_m.cwiseProduct(through_k))), size_gamma = gamma.colwise().norm().transpose();
+  double worst = 0;
+  for (Index j = 0; j < n; ++j) {
+    for (Index i = 0; i < j; ++i) {
+      const bool across = (i < p) != (j < p);
+      const double entry = std::abs(across ? k(i, j) : gamma(i, j));
+      const double local = across ? ratio(s.noise_k, s.norm_k) * std::sqrt(size_k(i) * size_k(j)) : ratio(s.noise_gamma, s.norm_gamma) * std::sqrt(size_gamma(i) * size_gamma(j));
+      const Vector& through = across ? through_k : through_gamma;
+      const double own = across ? of_k(i) * of_k(j) : of_g(i) * of_g(j);
+      worst = std::max(worst, ratio(entry, many * (local + epsilon * (own + of_m(i) * through(j) + of_m(j) * through(i)))));
+    }
+  }
+  return worst;
+}
 
 // How far `noise` in A turns each of its eigenvectors towards its neighbours.
 Vector noise_of_vectors(const Vector& ascending, double noise) {
@@ -158,6 +202,12 @@ SymmetrySearch find_reversing_symmetry(const Matrix& mass, const Matrix& gyrosco
   }
   SymmetrySearch result = search.result();
   if (!search.found()) return result;
+  const double entry = worst_entry(search.best(), s, mass, gyroscopic, stiffness);
+  constexpr double more = 8;  // a largest entry is more than the average that norms are compared with
+  if (!(entry <= more)) {     // in units of the threshold, as the norms cannot show it
+    result.breach = entry * result.threshold;
+    return result;
+  }
   const auto to_physical = [&](Matrix v) {
     lapack::solve_lower_transposed(s.l, v);
     return Matrix(s.scale.asDiagonal() * v);
