@@ -24,6 +24,7 @@ double number(const std::string& text, const std::string& whole, const std::stri
 
 void add_amplitudes(const std::string& list, const std::string& whole, const Labels& labels, Vector& to) {
   const std::vector<std::string_view> known(labels.begin(), labels.end());
+  if (list.empty()) throw UsageError(fmt::format("--force {}: LABEL=VALUE is missing", whole));
   std::istringstream pieces(list);
   for (std::string piece; std::getline(pieces, piece, ',');) {
     const std::size_t equals = piece.rfind('=');

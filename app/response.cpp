@@ -52,6 +52,7 @@ void describe(const AnyResponse& r, const Response& inner, const Vector& times, 
   report.zero_energy = inner.zero_energy();
   report.remainder_energy = inner.remainder_energy();
   report.departure = inner.departure();
+  report.complete = inner.complete();
   for (Index k = 0; k < times.size(); ++k) {
     if (!report.history.q.col(k).allFinite()) throw UsageError(fmt::format("the motion grows beyond what numbers hold at t = {:g}: ask for less time", times(k)));
   }
@@ -113,6 +114,10 @@ int run(const Options& o) {
   report.rates = o.rates;
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
   if (!report.remark.empty()) o.output.say(report.remark);
+  if (!report.complete) {
+    o.output.say("not certified: the index balance does not close, so some motion may be missing");
+    return not_certified;
+  }
   constexpr double loose = 1e-6;
   if (!(report.departure <= loose)) {
     o.output.say(fmt::format("the parts of the motion add up to the initial state to {:.1e} only: modes so close to each other are not told apart", report.departure));

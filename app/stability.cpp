@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 
 namespace gyromode::app {
@@ -29,9 +30,9 @@ struct Axis {
   std::vector<double> values;
 };
 
-double bound(const std::string& text, const std::string& whole) {
-  const auto value = io::parse_any_quantity(text);
-  if (!value) throw UsageError(fmt::format("--vary {}: '{}' is no number, with or without a unit", whole, text));
+double bound(const std::string& key, const std::string& text, const std::string& whole) {
+  const auto value = io::parse_value_of(key, text);
+  if (!value) throw UsageError(fmt::format("--vary {}: '{}' is no number in SI or with a unit that fits '{}'", whole, text, key));
   return *value;
 }
 
@@ -40,10 +41,10 @@ Axis axis_of(const std::string& text) {
   const std::size_t equals = text.rfind('='), first = text.find(':', equals), second = first == std::string::npos ? first : text.find(':', first + 1);
   if (equals == std::string::npos || second == std::string::npos) throw UsageError(fmt::format("--vary {}: KEY=A:B:N was expected, such as spin=5rpm:20rpm:31", text));
   Axis axis{text.substr(0, equals), {}};
-  const double a = bound(text.substr(equals + 1, first - equals - 1), text), b = bound(text.substr(first + 1, second - first - 1), text);
+  const double a = bound(axis.key, text.substr(equals + 1, first - equals - 1), text), b = bound(axis.key, text.substr(first + 1, second - first - 1), text);
   const auto n = io::whole_number(text.substr(second + 1));
   if (!n || *n < 2 || *n > most) throw UsageError(fmt::format("--vary {}: a number of values from 2 to {} was expected at the end", text, most));
-  if (!(b > a)) throw UsageError(fmt::format("--vary {}: A < B was expected", text));
+  if (!(b > a) || !std::isfinite(b - a)) throw UsageError(fmt::format("--vary {}: finite A < B was expected", text));
   for (std::int64_t k = 0; k < *n; ++k) axis.values.push_back(k + 1 == *n ? b : a + (b - a) * static_cast<double>(k) / static_cast<double>(*n - 1));
   return axis;
 }
@@ -97,6 +98,7 @@ StabilityMap mapped(const Options& o, const std::vector<Axis>& axes, std::vector
 int run(const Options& o) {
   std::vector<Axis> axes;
   for (const std::string& text : o.vary) axes.push_back(axis_of(text));
+  if (axes.size() == 2 && axes[0].key == axes[1].key) throw UsageError(fmt::format("--vary: '{}' is given twice", axes[0].key));
   if (axes.size() > 2) throw UsageError("--vary: one parameter, or two for a chart");
   if (!axes.empty() && o.source.model.empty()) throw UsageError("--vary changes numbers of a model file: give one instead of --mass and --stiffness");
   Job job(o.source, o.output);

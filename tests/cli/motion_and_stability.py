@@ -91,6 +91,8 @@ class Response(Program):
         self.refused(2, ["start.csv:1", "'qdot'"], "response", BODY, "--initial", self.initial("label,q\nθ1,0\n"), *ask)
         self.refused(2, ["empty"], "response", BODY, "--initial", self.initial(""), *ask)
         self.refused(2, ["No such file"], "response", BODY, "--initial", self.path / "none.csv", *ask)
+        self.refused(2, ["start.csv:2", "4 fields", "point"], "response", BODY, "--initial", self.initial("label,q,qdot\nθ1,1,0,5\nθ2,0,0\n"), *ask)
+        self.refused(2, ["start.csv:1", "twice"], "response", BODY, "--initial", self.initial("label,q,q,qdot\nθ1,1,0,5\nθ2,0,0,0\n"), *ask)
         crlf = self.initial("\ufefflabel,qdot,q\r\n\"θ1\",0,0.1\r\n# at rest\r\nθ2,0.2,0\r\n")
         self.assertEqual(float(self.rows("response", BODY, "--initial", crlf, *ask)[0]["θ1"]), 0.1)
 
@@ -102,6 +104,7 @@ class Response(Program):
         self.refused(1, ["nothing moves"], "response", BODY, "--until", "1", "--step", "1")
         self.refused(1, ["impulse:LABEL=P"], "response", BODY, "--force", "θ1=1", "--until", "1", "--step", "1")
         self.refused(1, ["'θ4'", "did you mean"], "response", BODY, "--force", "impulse:θ4=1", "--until", "1", "--step", "1")
+        self.refused(1, ["LABEL=VALUE"], "response", BODY, "--force", "impulse:", "--until", "1", "--step", "1")
         self.refused(1, ["@5Hz"], "response", BODY, "--force", "harmonic:θ1=1", "--until", "1", "--step", "1")
         self.refused(1, ["--points"], "response", BODY, "--initial", start, "--points", "cable1@1", "--until", "1", "--step", "1")
         self.refused(1, ["cable9@1", "has 2"], "response", GEOS, "--force", "impulse:theta1=1", "--points", "cable9@1", "--until", "1", "--step", "1")
@@ -149,6 +152,16 @@ class Vary(Program):
         text = run("stability", SPRINGS, "--vary", "spin=1000rpm:12000rpm:12", "--vary", "stiffness[0][0]=2e4:1e5:5").stdout
         self.assertIn("s stable, g gyroscopically stabilised", text)
 
+    def test_defective_pair_and_rest(self):
+        model = self.path / "m.toml"
+        model.write_text('kind = "matrices"\nmass = [[1, 0], [0, 1]]\ngyroscopic = [[0, -2], [2, 0]]\nstiffness = [[-1, 0], [0, -1]]\n')
+        points = self.json("response", model, "--force", "q1=1", "--frequencies", "0.5:1.5:3")["points"]
+        self.assertEqual([p["resonance"] for p in points if not p["added"]], [False, True, False])
+        self.assertAlmostEqual(points[0]["re"][0], -20 / 9, delta=1e-12)
+        model.write_text('kind = "matrices"\nmass = [[1, 0], [0, 1]]\ngyroscopic = [[0, -1], [1, 0]]\nstiffness = [[1, 0], [0, 0]]\n')
+        points = self.json("response", model, "--force", "q1=1", "--frequencies", "0:0.5:2")["points"]
+        self.assertTrue(points[0]["resonance"])  # the drift that the force drives
+
     def test_unlawful_cells(self):
         r = self.json("stability", GEOS, "--vary", "body.inertia[2]=150:250:3")
         self.assertEqual([c["stability"] for c in r["map"]], ["stable", None, None])
@@ -161,7 +174,11 @@ class Vary(Program):
         self.refused(1, ["KEY=A:B:N"], "stability", SPRINGS, "--vary", "spin")
         self.refused(1, ["A < B"], "stability", SPRINGS, "--vary", "spin=2:1:3")
         self.refused(1, ["5xyz"], "stability", SPRINGS, "--vary", "spin=5xyz:9:3")
-        self.refused(1, ["two for a chart"], "stability", SPRINGS, "--vary", "spin=1:2:3", "--vary", "spin=1:2:3", "--vary", "spin=1:2:3")
+        self.refused(1, ["5m", "unit that fits 'spin'"], "stability", SPRINGS, "--vary", "spin=5m:20m:3")
+        self.refused(1, ["'known.frequencies[0]'"], "stability", SPRINGS, "--vary", "known.frequencies[0]=1:2:3")
+        self.refused(1, ["given twice"], "stability", SPRINGS, "--vary", "spin=1:2:3", "--vary", "spin=1:2:3")
+        self.refused(1, ["no number"], "stability", SPRINGS, "--vary", "title=1:2:3")
+        self.refused(1, ["two for a chart"], "stability", SPRINGS, "--vary", "spin=1:2:3", "--vary", "mass[0][0]=1:2:3", "--vary", "mass[1][1]=1:2:3")
 
     def test_margins_and_damping(self):
         r = self.json("stability", MODELS / "rigid_body_minor.toml")

@@ -202,6 +202,37 @@ TEST(Response, ForcesOnFreeAndGrowingMotion) {
   }
 }
 
+// Drift beside a stiff coordinate, and in units far apart: the soft part of K must not be taken for rounding.
+TEST(Response, DriftBesideStiffCoordinates) {
+  Matrix g = Matrix::Zero(3, 3);
+  g(1, 0) = 1e3, g(0, 1) = -1e3, g(2, 0) = 1, g(0, 2) = -1;
+  const System system(Matrix::Identity(3, 3), g, Eigen::Vector3d(0, 1e12, 1).asDiagonal());
+  const State start{Vector::Zero(3), Eigen::Vector3d(1, 0, 0)};
+  const Response r(system, start);
+  for (const double t : {1.0, 5.0}) {
+    // The stiff coordinate follows: q1 and q3 with mass 1 + 1e-6 and G₃₁ alone.
+    const double m = 1 + 1e-6, w = std::sqrt(1 + 1 / m);
+    const double q1 = (t * w * w - (t - std::sin(w * t) / w) / m) / (w * w), q3 = -(1 - std::cos(w * t)) / (w * w);
+    EXPECT_NEAR(r.at(t).q(0), q1, 2e-5) << t;
+    EXPECT_NEAR(r.at(t).q(2), q3, 2e-5) << t;
+  }
+}
+
+// A step force on a free mass in turning axes, for as long as one likes: the straight line of a steady force that turns.
+TEST(Response, ForcedDoubleRootIsExact) {
+  const double spin = 0.8, m = 100;
+  const Matrix g{{0, -2 * m * spin}, {2 * m * spin, 0}};
+  const System system(m * Matrix::Identity(2, 2), g, -m * spin * spin * Matrix::Identity(2, 2));
+  const Response r(system, {Vector::Zero(2), Vector::Zero(2)}, {{Force::Course::step, Eigen::Vector2d(1, 0), 0}});
+  for (const double t : {1.0, 1e3, 1e6}) {
+    // z = inertial place turned back: z̈ + 2jΩż − Ω²z = f/m.
+    const Complex j(0, 1), turned = std::polar(1.0, -spin * t);
+    const Complex exact = 1 / m * (-1 / (spin * spin) + turned * (1 / (spin * spin) + j * t / spin));
+    const State w = r.at(t);
+    EXPECT_LE(std::abs(Complex(w.q(0), w.q(1)) - exact), 1e-13 * (1 + t) * std::abs(exact)) << t;
+  }
+}
+
 TEST(Response, WrongInput) {
   Source s{std::mt19937_64(9)};
   const System system = stable_system(s, 4, false);

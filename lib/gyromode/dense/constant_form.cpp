@@ -74,7 +74,7 @@ Matrix normal_coordinates(const MassNormal& normal) {
 
 Form by_tridiagonal(const Matrix& mass, const Matrix& gyroscopic, const Matrix& stiffness) {
   const Definiteness d = definiteness(stiffness);
-  if (d.negative > 0) throw MethodDoesNotApply("K is indefinite and there is no quadrature partition, visible or hidden: a constant real symmetric matrix of order n with eigenvalues ω² is known for K ≥ 0 only");
+  if (d.negative > 0) throw MethodDoesNotApply("K is indefinite, and so is the stiffness of both groups of a quadrature partition, if there is one: a constant real symmetric matrix of order n with eigenvalues ω² is known for K ≥ 0 only");
   const Index n = mass.rows();
   const MassNormal normal(mass);
   const Matrix f = square_root(normal.stiffness(stiffness), d.zero);
@@ -138,7 +138,9 @@ ConstantForm constant_form(const System& s, const Structure& structure) {
   Index row = 0;
   for (const Component& c : structure.components) {
     const auto& at = c.coordinates;
-    Form form = c.quadrature() ? of_partition(s, c) : c.hidden_quadrature() ? of_symmetry(s, c) : by_tridiagonal(s.mass()(at, at), s.gyroscopic()(at, at), s.stiffness()(at, at));
+    // A whole K ≥ 0 may be more than its parts by a symmetry show through rounding: then the general form serves.
+    const bool by_symmetry = c.hidden_quadrature() && (definiteness(c.search->found->stiffness1).negative == 0 || definiteness(c.search->found->stiffness2).negative == 0);
+    Form form = c.quadrature() ? of_partition(s, c) : by_symmetry ? of_symmetry(s, c) : by_tridiagonal(s.mass()(at, at), s.gyroscopic()(at, at), s.stiffness()(at, at));
     const std::vector<Index> order = order_of(c);
     const Index size = form.w.rows();
     whole.w.block(row, row, size, size) = form.w;

@@ -66,7 +66,8 @@ struct ResponseReport {
   std::vector<ModalShare> modal;
   Stability stability = Stability::unknown;
   double initial_energy = 0, zero_energy = 0, remainder_energy = 0;
-  double departure = 0;      ///< of the decomposition at t = 0, relative
+  double departure = 0;      ///< of the decomposition, relative
+  bool complete = false;     ///< the index balance of the modes closes
   std::string remark;
 };
 

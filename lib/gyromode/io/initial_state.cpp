@@ -33,6 +33,7 @@ Columns columns_of(const CsvRow& heading, const std::filesystem::path& file) {
   const auto find = [&](std::string_view name) {
     const auto at = std::find(heading.fields.begin(), heading.fields.end(), name);
     if (at == heading.fields.end()) throw InputError(file, heading.line, 0, fmt::format("no column '{}': the heading label,q,qdot was expected", name));
+    if (std::count(heading.fields.begin(), heading.fields.end(), name) > 1) throw InputError(file, heading.line, 0, fmt::format("column '{}' stands twice in the heading", name));
     return static_cast<std::size_t>(at - heading.fields.begin());
   };
   return {find("label"), find("q"), find("qdot")};
@@ -50,6 +51,9 @@ State parse_initial_state(std::string_view text, const std::filesystem::path& fi
   const std::vector<std::string_view> known(labels.begin(), labels.end());
   for (std::size_t k = 1; k < rows.size(); ++k) {
     const CsvRow& row = rows[k];
+    if (row.fields.size() > rows.front().fields.size()) {
+      throw InputError(file, row.line, 0, fmt::format("{} fields under a heading of {}: decimals have a point", row.fields.size(), rows.front().fields.size()));
+    }
     if (columns.label >= row.fields.size()) throw InputError(file, row.line, 0, "no label on this line: label,q,qdot was expected");
     const std::string& label = row.fields[columns.label];
     const auto at = std::find(labels.begin(), labels.end(), label);

@@ -82,7 +82,7 @@ bool follow(toml::node& node, std::span<const Step> steps, Found&& found) {
 void collect(const toml::node& node, const std::string& path, std::vector<std::string>& to) {
   if (const auto* table = node.as_table()) {
     for (const auto& [key, value] : *table) {
-      if (path.empty() && key.str() == "known") continue;
+      if (path.empty() && (key.str() == "known" || key.str() == "title" || key.str() == "reference")) continue;
       collect(value, path.empty() ? std::string(key.str()) : path + "." + std::string(key.str()), to);
     }
   } else if (const auto* array = node.as_array()) {
@@ -95,8 +95,12 @@ void collect(const toml::node& node, const std::string& path, std::vector<std::s
   }
 }
 
+// What a model is known by, and not made of.
+bool is_description(const std::string& key) { return key == "known" || key == "title" || key == "reference"; }
+
 bool leads_to_numbers(toml::table& table, const std::string& path) {
   const auto steps = steps_of(path);
+  if (steps && is_description(steps->front().key)) return false;
   return steps && follow(table, *steps, [](toml::node&) {});
 }
 
@@ -120,6 +124,21 @@ void set(toml::node& node, std::span<const Step> steps, double value) {
 }
 
 }  // namespace
+
+std::optional<double> parse_value_of(const std::string& key, std::string_view text) {
+  const std::string first = split(key, ',').empty() ? key : split(key, ',').front();
+  std::string name = first.substr(first.rfind('.') == std::string::npos ? 0 : first.rfind('.') + 1);
+  name = name.substr(0, name.find('['));
+  constexpr std::pair<std::string_view, Dimension> dimensions[] = {
+      {"spin", Dimension::frequency}, {"length", Dimension::length}, {"radius", Dimension::length}, {"height", Dimension::length}, {"root", Dimension::length},
+      {"position", Dimension::length}, {"azimuth", Dimension::angle}, {"mass", Dimension::mass}, {"tip_mass", Dimension::mass}, {"line_density", Dimension::line_density},
+      {"inertia", Dimension::inertia}, {"stiffness", Dimension::stiffness}, {"bending_stiffness", Dimension::bending_stiffness}};
+  for (const auto& [known, dimension] : dimensions) {
+    if (known == name) return parse_quantity(text, dimension);
+  }
+  const Parsed plain = parse_real(text);
+  return plain.outcome == Parsed::ok ? std::optional(plain.value) : std::nullopt;
+}
 
 std::optional<double> parse_any_quantity(std::string_view text) {
   for (const Dimension d : {Dimension::frequency, Dimension::length, Dimension::angle, Dimension::mass, Dimension::line_density, Dimension::inertia, Dimension::stiffness,
@@ -147,6 +166,7 @@ void VariedModel::require_key(const std::string& keys) const {
     std::vector<std::string> known;
     collect(table, "", known);
     const std::vector<std::string_view> views(known.begin(), known.end());
+    if (views.empty()) throw std::invalid_argument(fmt::format("'{}' leads to no number in {}, which has none outside its matrix files", path, name_.string()));
     throw std::invalid_argument(fmt::format("'{}' leads to no number in {}: did you mean '{}'?", path, name_.string(), nearest(path, views)));
   }
 }

@@ -29,6 +29,9 @@ class VariedModel {
   std::unique_ptr<const Document> document_;
 };
 
+/// A value for a key: in SI, or with a unit of what the key measures.
+std::optional<double> parse_value_of(const std::string& key, std::string_view text);
+
 /// A number in SI or with any unit that model files know: "0.5", "10 rpm", "25 mm".
 std::optional<double> parse_any_quantity(std::string_view text);
 

@@ -3,6 +3,7 @@
 #include "gyromode/modes/shape.h"
 #include "gyromode/motion/time_course.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -57,7 +58,14 @@ void ComponentMotion::follow_rest(const State& left, const std::vector<Vector>& 
     rest_.emplace(matrices_, modal_, zero_, dimension, unit_, starts);
     rest_start_ = rounding ? Vector(Vector::Zero(rest_->size())) : rest_->coordinates(left);
   }
-  departure_ = norm(rest_ ? minus(left, rest_->state(rest_start_)) : left);
+  // What cancels in the sum at t = 0 does not cancel later: its rounding counts as a departure.
+  double largest = 0;
+  for (Index k = 0; k < a_.size(); ++k) {
+    ComplexVector one = ComplexVector::Zero(a_.size());
+    one(k) = a_(k);
+    largest = std::max(largest, norm(modal_.state(one)));
+  }
+  departure_ = std::max(norm(rest_ ? minus(left, rest_->state(rest_start_)) : left), epsilon * largest);
 }
 
 void ComponentMotion::start(const State& w, const std::vector<Vector>& forces, const std::vector<Vector>& pushes, const std::vector<double>& frequencies) {

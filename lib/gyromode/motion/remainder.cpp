@@ -1,5 +1,6 @@
 #include "gyromode/motion/remainder.h"
 
+#include "gyromode/motion/time_course.h"
 #include "gyromode/system/scale.h"
 
 #include <Eigen/Cholesky>
@@ -61,23 +62,24 @@ Remainder::Remainder(const ComponentMatrices& m, const ModalPart& modal, const Z
 // (A² + ω²)² = 0 with A = S + N, S² = −ω², N² = 0, SN = NS: then A² + ω² = 2SN, so N = −A(A² + ω²)/(2ω²).
 void Remainder::recognise_double_root() {
   constexpr double coinciding = 1e-5;  // roots of a double pair are apart by √ε
-  if (generator_.rows() != 4) return;
-  const Eigen::Vector4cd roots = Eigen::EigenSolver<Matrix>(generator_, false).eigenvalues();
+  const Index d = generator_.rows();
+  if (d < 4 || d % 2 != 0) return;
+  const ComplexVector roots = Eigen::EigenSolver<Matrix>(generator_, false).eigenvalues();
   const Matrix square = generator_ * generator_;
-  const double omega2 = -square.trace() / 4;
+  const double omega2 = -square.trace() / static_cast<double>(d);
   if (!(omega2 > 0)) return;
   const double omega = std::sqrt(omega2);
   for (const Complex& root : roots) {
     if (!(std::abs(Complex(std::abs(root.real()), std::abs(root.imag()) - omega)) <= coinciding * omega)) return;
   }
   double_root_ = omega;
-  nilpotent_ = -generator_ * (square + omega2 * Matrix::Identity(4, 4)) / (2 * omega2);
+  nilpotent_ = -generator_ * (square + omega2 * Matrix::Identity(d, d)) / (2 * omega2);
   semisimple_ = generator_ - nilpotent_;
 }
 
 Matrix Remainder::exponential(double t) const {
   if (double_root_ > 0) {
-    const Matrix one = Matrix::Identity(4, 4);
+    const Matrix one = Matrix::Identity(size(), size());
     return (std::cos(double_root_ * t) * one + std::sin(double_root_ * t) / double_root_ * semisimple_) * (one + t * nilpotent_);
   }
   return (generator_ * t).exp();
@@ -89,6 +91,11 @@ Vector Remainder::moved(const Vector& y, double t) const { return size() == 0 ? 
 Vector Remainder::driven(const Vector& g, double nu, double t) const {
   const Index d = size();
   if (d == 0) return g;
+  if (double_root_ > 0) {  // ∫ (cos ωτ + S sin ωτ/ω)(1 + τN) g cos ν(t − τ) dτ
+    const Complex once = forced(double_root_, nu, t), twice = forced_twice(double_root_, nu, t);
+    const Vector sg = semisimple_ * g / double_root_, ng = nilpotent_ * g;
+    return once.real() * g + once.imag() * sg + twice.real() * ng + twice.imag() * (semisimple_ * ng / double_root_);
+  }
   Matrix a = Matrix::Zero(d + 2, d + 2);
   a.topLeftCorner(d, d) = generator_;
   a.col(d).head(d) = g;

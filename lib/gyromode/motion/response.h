@@ -50,7 +50,7 @@ class Response {
   double remainder_energy() const { return remainder_energy_; }
   /// Coordinates of the invariant subspace of growing motions and double roots that take part; 0 for an ordinary stable motion.
   Index remainder_size() const;
-  /// ‖sum of all parts at t = 0 less the initial state‖ over the size of the state, in units that mix nothing: the accuracy of the decomposition.
+  /// ‖sum of all parts at t = 0 less the initial state‖, or the rounding of the largest part if that is more, over the size of the state, in units that mix nothing: the accuracy of the decomposition.
   double departure() const { return departure_; }
   Stability stability() const { return stability_; }
   bool complete() const { return complete_; }  ///< the modes were counted

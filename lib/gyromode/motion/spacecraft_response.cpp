@@ -63,9 +63,9 @@ struct SpacecraftResponse::Setup {
 };
 
 Mesh SpacecraftResponse::mesh_for(const Spacecraft& s) {
-  constexpr Index coordinates = 480, elements = 2;
+  constexpr Index coordinates = 300, elements = 2;
   const Index booms = std::max<Index>(1, static_cast<Index>(s.cables().size() + 2 * s.beams().size()));
-  return {elements, std::clamp<Index>(coordinates / (2 * elements * booms), 6, 18)};
+  return {elements, std::clamp<Index>(coordinates / (2 * elements * booms), 6, 12)};
 }
 
 SpacecraftResponse::SpacecraftResponse(const Spacecraft& s, const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points)

@@ -12,6 +12,28 @@ Complex forced(double omega, double nu, double t) {
   return half(1) + half(-1);
 }
 
+namespace {
+
+// ∫₀¹ u e^{jxu} du.
+Complex first_moment(double x) {
+  constexpr double small = 0.5;
+  const Complex j(0, 1);
+  if (std::abs(x) > small) return std::polar(1.0, x) / (j * x) + (std::polar(1.0, x) - 1.0) / (x * x);
+  Complex sum = 0, power = 1;  // (jx)^k / k!
+  for (int k = 0; k < 16; ++k) {
+    sum += power / (k + 2.0);
+    power *= j * x / (k + 1.0);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Complex forced_twice(double omega, double nu, double t) {
+  const auto half = [&](double way) { return 0.5 * t * t * std::polar(1.0, way * nu * t) * first_moment((omega - way * nu) * t); };
+  return half(1) + half(-1);
+}
+
 double once_integrated(double nu, double t) { return t * sinc(nu * t); }
 
 double twice_integrated(double nu, double t) {

@@ -3,6 +3,7 @@
 #include "gyromode/lapack/singular.h"
 #include "gyromode/motion/time_course.h"
 #include "gyromode/structure/definiteness.h"
+#include "gyromode/system/scale.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -13,6 +14,8 @@ namespace {
 
 constexpr double regular = 1e-9;  // of an equilibrated Gram matrix: smaller is singular
 
+Matrix orthonormal(const Matrix& a) { return Eigen::HouseholderQR<Matrix>(a).householderQ() * Matrix::Identity(a.rows(), a.cols()); }
+
 // Vectors c with NᵀGNc = 0.
 Matrix uncoupled(const Matrix& coupling, double scale) {
   const Index r = coupling.rows();
@@ -22,12 +25,19 @@ Matrix uncoupled(const Matrix& coupling, double scale) {
   return svd.vt.bottomRows(r - rank).transpose();
 }
 
-// r with Kr = −Gv, of least length: NᵀGv = 0 makes it solvable.
-Matrix displaced_by_drift(const ComponentMatrices& m, const Matrix& velocities) {
-  if (velocities.cols() == 0) return Matrix(m.mass.rows(), 0);
-  Eigen::CompleteOrthogonalDecomposition<Matrix> k;
-  k.setThreshold(1e-11);
-  return k.compute(m.stiffness).solve(-m.gyroscopic * velocities);
+// r with Kr = −Gv and NᵀDr = 0: [K B; Bᵀ 0] is regular for B = D⁻¹N, D the scale that takes the units out of K; NᵀGv = 0 makes the multipliers vanish.
+Matrix displaced_by_drift(const ComponentMatrices& m, const Matrix& null, const Matrix& velocities) {
+  const Index n = m.mass.rows(), r = null.cols();
+  if (velocities.cols() == 0) return Matrix(n, 0);
+  const Vector d = equilibrating_scale(m.stiffness);
+  const Matrix basis = orthonormal(d.cwiseInverse().asDiagonal() * null);
+  Matrix bordered = Matrix::Zero(n + r, n + r);
+  bordered.topLeftCorner(n, n) = scaled(m.stiffness, d);
+  bordered.topRightCorner(n, r) = basis;
+  bordered.bottomLeftCorner(r, n) = basis.transpose();
+  Matrix right = Matrix::Zero(n + r, velocities.cols());
+  right.topRows(n) = d.asDiagonal() * (-m.gyroscopic * velocities);
+  return d.asDiagonal() * Matrix(bordered.partialPivLu().solve(right).topRows(n));
 }
 
 }  // namespace
@@ -42,7 +52,7 @@ ZeroPart::ZeroPart(const ComponentMatrices& m, Index pairs) {
   const Matrix coupling = null.transpose() * m.gyroscopic * null;
   const Matrix combination = uncoupled(coupling, m.gyroscopic.norm());
   const Matrix velocities = null * combination;
-  const Matrix drifts = displaced_by_drift(m, velocities);
+  const Matrix drifts = displaced_by_drift(m, null, velocities);
   const Index r = null.cols(), k = velocities.cols();
   if (r + k != 2 * pairs) {
     complete_ = false;
@@ -72,6 +82,8 @@ Vector ZeroPart::coordinates(const ComponentMatrices& m, const State& w) const {
 }
 
 Vector ZeroPart::excitation(const Vector& force) const { return dual_q_ * force; }
+
+Vector ZeroPart::largest_excitation(const Vector& force) const { return dual_q_.cwiseAbs() * force.cwiseAbs(); }
 
 State ZeroPart::state(const Vector& y) const {
   const Index r = places_.cols(), k = drifts_.cols();

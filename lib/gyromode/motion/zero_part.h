@@ -17,6 +17,8 @@ class ZeroPart {
   Vector coordinates(const ComponentMatrices& m, const State& w) const;
   /// g of ẏ = Ny + g u(t) for a force f u(t).
   Vector excitation(const Vector& force) const;
+  /// Σ of the moduli that excitation() adds up: what its rounding is relative to.
+  Vector largest_excitation(const Vector& force) const;
   State state(const Vector& y) const;
   /// y at time t of free motion, and the response to g cos νt from rest.
   Vector moved(const Vector& y, double t) const;

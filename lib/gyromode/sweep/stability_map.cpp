@@ -19,6 +19,10 @@ class Bisection {
       return;
     }
     const StabilityPoint here = verdict_(middle);
+    if (!here.lawful) {  // no model between two verdicts: the change is somewhere in the hole
+      found_.push_back({middle, at_a, at_b});
+      return;
+    }
     refine(a, at_a, middle, here);
     refine(middle, here, b, at_b);
   }
@@ -38,6 +42,7 @@ class Bisection {
         merged.push_back(f);
       }
     }
+    std::erase_if(merged, [](const Found& f) { return f.from.alike(f.to); });  // a touch of a margin
     return merged;
   }
 
