@@ -60,7 +60,7 @@ void describe(const AnyResponse& r, const Response& inner, const Vector& times, 
 
 io::ResponseReport moved(const System& system, const Options& o) {
   if (!o.points.empty()) throw UsageError("--points are places on the booms of a spacecraft model");
-  const State start = o.initial.empty() ? State{Vector::Zero(system.size()), Vector::Zero(system.size())} : io::read_initial_state(o.initial, system.labels());
+  const State start = o.initial.empty() ? State::rest(system.size()) : io::read_initial_state(o.initial, system.labels());
   io::ResponseReport report;
   report.labels = system.labels();
   const Response r(system, start, forces_of(o.forces, system.labels()), o.source.structure());
@@ -69,7 +69,7 @@ io::ResponseReport moved(const System& system, const Options& o) {
 }
 
 io::ResponseReport moved(const Spacecraft& spacecraft, const Options& o) {
-  const State start = o.initial.empty() ? State{Vector::Zero(6), Vector::Zero(6)} : io::read_initial_state(o.initial, spacecraft.labels());
+  const State start = o.initial.empty() ? State::rest(6) : io::read_initial_state(o.initial, spacecraft.labels());
   const SpacecraftResponse r(spacecraft, start, forces_of(o.forces, spacecraft.labels()), points_of(o.points));
   io::ResponseReport report;
   report.labels = r.labels();

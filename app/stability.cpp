@@ -57,18 +57,15 @@ ModesOptions options_of(const io::Model& model, const Options& o) {
 }
 
 StabilityPoint verdict_at(const io::VariedModel& varied, const std::vector<std::string>& keys, const std::vector<double>& values, const Options& o) {
-  StabilityPoint p;
   try {
     const io::Model model = varied.at(keys, values);
-    const ModesResult r = std::visit([&](const auto& system) { return find_modes(system, options_of(model, o)); }, model.system);
-    p.stability = r.stability;
-    p.balance = r.index_balance;
-    if (!r.unstable.empty()) p.growth_rate = r.unstable.front().growth_rate;
+    return stability_point(std::visit([&](const auto& system) { return find_modes(system, options_of(model, o)); }, model.system));
   } catch (const BrokenPromise& e) {
+    StabilityPoint p;
     p.lawful = false;
     p.reason = e.what();
+    return p;
   }
-  return p;
 }
 
 StabilityMap mapped(const Options& o, const std::vector<Axis>& axes, std::vector<std::string>& keys) {

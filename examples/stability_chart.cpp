@@ -19,8 +19,7 @@ System on_a_hill(double g, double k2) { return {Matrix::Identity(2, 2), Matrix{{
 
 StabilityPoint verdict(double g, double k2) {
   const ModesResult result = find_modes(on_a_hill(g, k2));
-  const double growth_rate = result.unstable.empty() ? 0 : result.unstable.front().growth_rate;
-  return {.stability = result.stability, .balance = result.index_balance, .growth_rate = growth_rate, .reason = ""};
+  return stability_point(result);
 }
 
 char letter(const StabilityPoint& p) {

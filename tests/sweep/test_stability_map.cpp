@@ -12,10 +12,7 @@ using namespace gyromode;
 
 namespace {
 
-StabilityPoint verdict(const System& s) {
-  const ModesResult r = find_modes(s);
-  return {true, r.stability, r.index_balance, r.unstable.empty() ? 0 : r.unstable.front().growth_rate, ""};
-}
+StabilityPoint verdict(const System& s) { return stability_point(find_modes(s)); }
 
 Matrix turning(double g) { return Matrix{{0, -g}, {g, 0}}; }
 Matrix diagonal(double a, double b) { return Matrix{{a, 0}, {0, b}}; }

@@ -13,12 +13,6 @@ namespace {
 
 std::vector<double> numbers(const Vector& v) { return {v.begin(), v.end()}; }
 
-Json series(const Labels& labels, const Matrix& rows) {
-  Json all;
-  for (std::size_t i = 0; i < labels.size(); ++i) all[labels[i]] = numbers(rows.row(static_cast<Index>(i)).transpose());
-  return all;
-}
-
 std::string history_csv(const ResponseReport& r) {
   std::string out = "t";
   for (const std::string& label : r.labels) out += "," + csv_field(label);
@@ -43,8 +37,8 @@ std::string response_json(const Model& model, const ResponseReport& r, const Tim
   j["stability"] = word(r.stability);
   j["labels"] = r.labels;
   j["t"] = numbers(r.history.t);
-  j["q"] = series(r.labels, r.history.q);
-  if (r.rates) j["qdot"] = series(r.labels, r.history.qdot);
+  j["q"] = rows_of(r.history.q.transpose());
+  if (r.rates) j["qdot"] = rows_of(r.history.qdot.transpose());
   j["modal"] = Json::array();
   for (const ModalShare& m : r.modal) {
     const Vector re = m.shape.real(), im = m.shape.imag();

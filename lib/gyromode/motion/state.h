@@ -7,6 +7,8 @@ namespace gyromode {
 /// Displacements and velocities at one instant, in the order of the labels.
 struct State {
   Vector q, qdot;  ///< n each
+
+  static State rest(Index n) { return {Vector::Zero(n), Vector::Zero(n)}; }
 };
 
 /// A force f·u(t) on the coordinates, from t = 0 on: M q̈ + G q̇ + K q = f u(t).

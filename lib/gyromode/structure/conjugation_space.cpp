@@ -93,7 +93,10 @@ void Conjugation::sharpen() {
   }
   const Index n = u_.rows();
   Matrix imaginary(n * n, static_cast<Index>(top.size()));
-  for (std::size_t k = 0; k < top.size(); ++k) imaginary.col(static_cast<Index>(k)) = element(vectors_.col(top[k])).imag().reshaped();
+  for (std::size_t k = 0; k < top.size(); ++k) {
+    const Matrix part = element(vectors_.col(top[k])).imag();
+    imaginary.col(static_cast<Index>(k)) = part.reshaped();
+  }
   const Eigen::HouseholderQR<Eigen::Ref<Matrix>> qr(imaginary);
   const Index q = imaginary.cols();
   const Matrix triangle = imaginary.topRows(q).triangularView<Eigen::Upper>();

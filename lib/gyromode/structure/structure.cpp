@@ -66,10 +66,10 @@ std::optional<OddCycle> Structure::witness() const {
 
 Structure analyse(const System& system, const StructureOptions& options) {
   Structure s = analysed(coupling_graph({&system.mass(), &system.stiffness()}, system.gyroscopic(), options.coupling_tolerance));
-  if (options.hidden == HiddenSearch::never) return s;
+  if (options.hidden == HiddenSearch::never || s.system_class() == SystemClass::quadrature) return s;
+  const System kept = without_ignored_couplings(system, options);
   for (Component& c : s.components) {
     if (c.quadrature()) continue;
-    const System kept = without_ignored_couplings(system, options);
     const auto& at = c.coordinates;
     const Matrix stiffness = kept.stiffness()(at, at);
     if (worth_a_search(stiffness, options.hidden)) c.search = std::make_shared<SymmetrySearch>(find_reversing_symmetry(kept.mass()(at, at), kept.gyroscopic()(at, at), stiffness));

@@ -59,6 +59,10 @@ bool StabilityPoint::alike(const StabilityPoint& o) const {
   return stability == o.stability && balance.real_pairs == o.balance.real_pairs && balance.quadruples == o.balance.quadruples && balance.negative_energy == o.balance.negative_energy;
 }
 
+StabilityPoint stability_point(const ModesResult& r) {
+  return {true, r.stability, r.index_balance, r.unstable.empty() ? 0 : r.unstable.front().growth_rate, ""};
+}
+
 StabilityMap map_stability(const std::function<StabilityPoint(const std::vector<double>&)>& verdict, std::vector<std::vector<double>> axes,
                            const std::function<void(Index, Index)>& progress) {
   StabilityMap map;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/certificate/verdict.h"
+#include "gyromode/modes/result.h"
 
 #include <functional>
 #include <string>
@@ -19,6 +19,9 @@ struct StabilityPoint {
   /// The same verdict for the same reasons: the same numbers of divergent, fluttering and negative-energy motions.
   bool alike(const StabilityPoint& other) const;
 };
+
+/// What the modes of a system say.
+StabilityPoint stability_point(const ModesResult& result);
 
 /// Where a parameter changes the verdict.
 struct CriticalValue {
