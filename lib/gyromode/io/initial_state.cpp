@@ -72,7 +72,7 @@ State parse_initial_state(std::string_view text, const std::filesystem::path& fi
   return state;
 }
 
-State read_initial_state(const std::filesystem::path& file, const Labels& labels) { return parse_initial_state(read_text(file, "CSV with label,q,qdot"), file, labels); }
+State read_initial_state(const std::filesystem::path& file, const Labels& labels) { return parse_initial_state(read_text(file, "CSV (label,q,qdot)"), file, labels); }
 
 Vector parse_times(std::string_view text, const std::filesystem::path& file) {
   std::vector<CsvRow> rows = csv_rows(text, file);
@@ -89,6 +89,6 @@ Vector parse_times(std::string_view text, const std::filesystem::path& file) {
   return times;
 }
 
-Vector read_times(const std::filesystem::path& file) { return parse_times(read_text(file, "list of times"), file); }
+Vector read_times(const std::filesystem::path& file) { return parse_times(read_text(file, "times"), file); }
 
 }  // namespace gyromode::io
