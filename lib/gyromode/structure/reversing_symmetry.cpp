@@ -191,10 +191,12 @@ SymmetrySearch find_reversing_symmetry(const Matrix& mass, const Matrix& gyrosco
   const double noise = epsilon * static_cast<double>(mass.rows()) + s.noise_k / search.unit_k() + s.noise_gamma / search.unit_gamma();
   // Eigenvectors mix by noise over distance: within a cluster at will, across clusters by a tenth at most.
   Conjugation conjugation(e.vectors, clusters_of(e.values, 10 * noise));
-  search.consider(sign_of(conjugation.by_strongest_couplings(noise_of_vectors(e.values, noise))));
+  const Vector noise_of_each = noise_of_vectors(e.values, noise);
+  search.consider(sign_of(conjugation.by_strongest_couplings(noise_of_each)));
   search.turn();
-  // With every eigenvalue of A by itself the phases are necessary conditions: far off, there is nothing to be found.
-  const bool open = search.near_miss() || conjugation.unknowns() > mass.rows();
+  // With every eigenvector of A clear of noise the phases are necessary conditions: far off, there is nothing to be found.
+  constexpr double clear = 1e-3;
+  const bool open = search.near_miss() || conjugation.unknowns() > mass.rows() || noise_of_each.maxCoeff() > clear;
   if (!search.found() && open && conjugation.unknowns() <= affordable_unknowns) {
     conjugation.decompose();
     search.draw(conjugation, noise);
