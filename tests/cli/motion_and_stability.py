@@ -1,44 +1,26 @@
 """The verbs response and stability --vary, convert --realified and hidden quadrature from outside."""
 import csv
 import io
-import json
 import math
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
 
-PROGRAM = pathlib.Path(sys.argv[1]).resolve()
-MODELS = pathlib.Path(sys.argv[2]).resolve() / "models"
+from program import MODELS, Program, run
+
 BODY = MODELS / "rigid_body.toml"
 SPRINGS = MODELS / "three_springs.toml"
 GEOS = MODELS / "geos.toml"
 
 
-def run(*arguments):
-    return subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, text=True, timeout=120)
-
-
-class Program(unittest.TestCase):
+class WithFolder(Program):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.path = pathlib.Path(self.folder.name)
 
     def tearDown(self):
         self.folder.cleanup()
-
-    def refused(self, code, expected, *arguments):
-        result = run(*arguments)
-        self.assertEqual(result.returncode, code, result.stderr)
-        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
-        for word in expected:
-            self.assertIn(word, result.stderr)
-
-    def json(self, *arguments):
-        result = run(*arguments, "--format", "json")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        return json.loads(result.stdout)
 
     def initial(self, text):
         file = self.path / "start.csv"
@@ -51,7 +33,7 @@ class Program(unittest.TestCase):
         return list(csv.DictReader(io.StringIO(result.stdout)))
 
 
-class Response(Program):
+class Response(WithFolder):
     TILT = "label,q,qdot\nθ1,0.1,0\nθ2,0,0.2\n"
 
     def test_history(self):
@@ -133,7 +115,7 @@ class Response(Program):
         self.assertAlmostEqual(r["q"][-1][0], t * math.cos(spin * t), delta=20 * shares + 1e-9)
 
 
-class Vary(Program):
+class Vary(WithFolder):
     def test_critical_values(self):
         r = self.json("stability", SPRINGS, "--vary", "spin=0:12000rpm:25")
         self.assertEqual(len(r["map"]), 25)
@@ -190,7 +172,7 @@ class Vary(Program):
         self.assertEqual(max(abs(complex(a, b)) for a, b in zip(r["negative_modes"][0]["shape"]["re"], r["negative_modes"][0]["shape"]["im"])), 1)
 
 
-class Hidden(Program):
+class Hidden(WithFolder):
     TURNED = MODELS / "turned_rotor.toml"
 
     def test_found_and_solved(self):

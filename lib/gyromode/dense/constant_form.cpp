@@ -8,10 +8,6 @@
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/structure/definiteness.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 namespace gyromode::dense {
 
 namespace {
@@ -116,11 +112,14 @@ Form of_partition(const System& s, const Component& c) {
   return by_groups({first.stiffness(k1), second.stiffness(k2), first.coupling(s.gyroscopic()(one, two), second), to_x, to_y, definiteness(k1), definiteness(k2)});
 }
 
+// A whole K ≥ 0 may be more than its parts by a symmetry show through rounding: then the general form serves.
 Form of_symmetry(const System& s, const Component& c) {
+  const auto& at = c.coordinates;
   const ReversingSymmetry& r = *c.search->found;
-  const Matrix mass = s.mass()(c.coordinates, c.coordinates);
-  return by_groups({r.stiffness1, r.stiffness2, r.coupling, lapack::multiply_tn(r.in_phase, mass), lapack::multiply_tn(r.in_quadrature, mass), definiteness(r.stiffness1),
-                    definiteness(r.stiffness2)});
+  const Matrix mass = s.mass()(at, at);
+  Definiteness d1 = definiteness(r.stiffness1), d2 = definiteness(r.stiffness2);
+  if (d1.negative > 0 && d2.negative > 0) return by_tridiagonal(mass, s.gyroscopic()(at, at), s.stiffness()(at, at));
+  return by_groups({r.stiffness1, r.stiffness2, r.coupling, lapack::multiply_tn(r.in_phase, mass), lapack::multiply_tn(r.in_quadrature, mass), std::move(d1), std::move(d2)});
 }
 
 std::vector<Index> order_of(const Component& c) {
@@ -138,9 +137,7 @@ ConstantForm constant_form(const System& s, const Structure& structure) {
   Index row = 0;
   for (const Component& c : structure.components) {
     const auto& at = c.coordinates;
-    // A whole K ≥ 0 may be more than its parts by a symmetry show through rounding: then the general form serves.
-    const bool by_symmetry = c.hidden_quadrature() && (definiteness(c.search->found->stiffness1).negative == 0 || definiteness(c.search->found->stiffness2).negative == 0);
-    Form form = c.quadrature() ? of_partition(s, c) : by_symmetry ? of_symmetry(s, c) : by_tridiagonal(s.mass()(at, at), s.gyroscopic()(at, at), s.stiffness()(at, at));
+    Form form = c.quadrature() ? of_partition(s, c) : c.hidden_quadrature() ? of_symmetry(s, c) : by_tridiagonal(s.mass()(at, at), s.gyroscopic()(at, at), s.stiffness()(at, at));
     const std::vector<Index> order = order_of(c);
     const Index size = form.w.rows();
     whole.w.block(row, row, size, size) = form.w;

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <complex>
 #include <iterator>
 
 namespace gyromode::io {
@@ -76,14 +76,6 @@ std::string response_text(const Model& model, const ResponseReport& r, Format fo
   return out + "\n" + written(grid, format);
 }
 
-struct Cell {
-  double amplitude, phase;
-};
-Cell polar(const FrequencyPoint& p, Index i) {
-  if (p.resonance) return {HUGE_VAL, NAN};
-  return {std::abs(p.q(i)), std::arg(p.q(i))};
-}
-
 std::string frequency_csv(const FrequencyReport& r) {
   std::string out = "omega,resonance,added";
   for (const std::string& label : r.labels) out += fmt::format(",{},{}", csv_field(label + " re"), csv_field(label + " im"));
@@ -124,7 +116,7 @@ std::string frequency_text(const Model& model, const FrequencyReport& r, Format 
   Grid grid(head);
   for (const FrequencyPoint& p : r.response.points) {
     std::vector<std::string> row{fmt::format("{:.10g}", p.omega)};
-    for (Index i = 0; i < shown; ++i) row.push_back(p.resonance ? "∞" : fmt::format("{:.6g}", polar(p, i).amplitude));
+    for (Index i = 0; i < shown; ++i) row.push_back(p.resonance ? "∞" : fmt::format("{:.6g}", std::abs(p.q(i))));
     row.push_back(p.resonance ? "resonance" : p.added ? "beside one" : "");
     grid.add(std::move(row));
   }

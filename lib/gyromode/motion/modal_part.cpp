@@ -26,7 +26,6 @@ ModalPart::ModalPart(const ComponentMatrices& m, const SolvedComponent& c) {
     const bool decided = c.verdict.energy_sign[static_cast<std::size_t>(k)] != 0;
     if (definite || (decided && distinctness(c.spectrum.shape(k), c.spectrum.omega(k), m) > simple)) kept.push_back(k);
   }
-  left_out_ = c.spectrum.omega.size() - static_cast<Index>(kept.size());
   omega_ = c.spectrum.omega(kept);
   shapes_.resize(m.mass.rows(), omega_.size());
   for (std::size_t k = 0; k < kept.size(); ++k) shapes_.col(static_cast<Index>(k)) = c.spectrum.shape(kept[k]).normalized();

@@ -26,7 +26,6 @@ class ModalPart {
   const Vector& omega() const { return omega_; }
   const ComplexMatrix& shapes() const { return shapes_; }  ///< n × size
   const Vector& form() const { return form_; }             ///< Xᴴ(2ωM − jG)X
-  Index left_out() const { return left_out_; }             ///< modes that are not simple
 
   ComplexVector amplitudes(const ComponentMatrices& m, const State& w) const;
   /// h of ȧ = jωa + h u(t) for a force f u(t).
@@ -36,7 +35,6 @@ class ModalPart {
  private:
   Vector omega_, form_;
   ComplexMatrix shapes_;
-  Index left_out_ = 0;
 };
 
 }  // namespace gyromode

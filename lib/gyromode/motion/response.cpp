@@ -79,15 +79,7 @@ State Response::at(double t) const {
   return w;
 }
 
-History Response::at(const Vector& times) const {
-  History h{times, Matrix(mass_.rows(), times.size()), Matrix(mass_.rows(), times.size())};
-  for (Index k = 0; k < times.size(); ++k) {
-    const State w = at(times(k));
-    h.q.col(k) = w.q;
-    h.qdot.col(k) = w.qdot;
-  }
-  return h;
-}
+History Response::at(const Vector& times) const { return history_of(*this, mass_.rows(), times); }
 
 double Response::energy(const State& w) const { return energy_of(w, mass_, stiffness_); }
 

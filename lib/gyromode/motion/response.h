@@ -27,6 +27,17 @@ struct History {
   Vector t;
   Matrix q, qdot;
 };
+/// Of anything that has at(t).
+template <class Motion>
+History history_of(const Motion& motion, Index coordinates, const Vector& times) {
+  History h{times, Matrix(coordinates, times.size()), Matrix(coordinates, times.size())};
+  for (Index k = 0; k < times.size(); ++k) {
+    const State w = motion.at(times(k));
+    h.q.col(k) = w.q;
+    h.qdot.col(k) = w.qdot;
+  }
+  return h;
+}
 
 /// The motion of M q̈ + G q̇ + K q = Σ f u(t) from given q(0), q̇(0), at any time t ≥ 0 without stepping: simple undamped modes as such, zero roots as displaced rest and steady drift, exactly
 /// linear in t; growing motions and double roots by the exponential on their own invariant subspace.

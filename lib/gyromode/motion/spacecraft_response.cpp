@@ -106,14 +106,6 @@ State SpacecraftResponse::at(double t) const {
   return w;
 }
 
-History SpacecraftResponse::at(const Vector& times) const {
-  History h{times, Matrix(outputs_.rows(), times.size()), Matrix(outputs_.rows(), times.size())};
-  for (Index k = 0; k < times.size(); ++k) {
-    const State w = at(times(k));
-    h.q.col(k) = w.q;
-    h.qdot.col(k) = w.qdot;
-  }
-  return h;
-}
+History SpacecraftResponse::at(const Vector& times) const { return history_of(*this, outputs_.rows(), times); }
 
 }  // namespace gyromode

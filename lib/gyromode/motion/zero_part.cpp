@@ -1,20 +1,18 @@
 #include "gyromode/motion/zero_part.h"
 
+#include "gyromode/dense/basis.h"
 #include "gyromode/lapack/singular.h"
 #include "gyromode/motion/time_course.h"
 #include "gyromode/structure/definiteness.h"
 #include "gyromode/system/scale.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 namespace gyromode {
 
 namespace {
 
 constexpr double regular = 1e-9;  // of an equilibrated Gram matrix: smaller is singular
-
-Matrix orthonormal(const Matrix& a) { return Eigen::HouseholderQR<Matrix>(a).householderQ() * Matrix::Identity(a.rows(), a.cols()); }
 
 // Vectors c with NᵀGNc = 0.
 Matrix uncoupled(const Matrix& coupling, double scale) {
@@ -30,7 +28,7 @@ Matrix displaced_by_drift(const ComponentMatrices& m, const Matrix& null, const 
   const Index n = m.mass.rows(), r = null.cols();
   if (velocities.cols() == 0) return Matrix(n, 0);
   const Vector d = equilibrating_scale(m.stiffness);
-  const Matrix basis = orthonormal(d.cwiseInverse().asDiagonal() * null);
+  const Matrix basis = dense::orthonormal_basis<Matrix>(d.cwiseInverse().asDiagonal() * null);
   Matrix bordered = Matrix::Zero(n + r, n + r);
   bordered.topLeftCorner(n, n) = scaled(m.stiffness, d);
   bordered.topRightCorner(n, r) = basis;

@@ -2,6 +2,7 @@
 
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/symmetric.h"
+#include "gyromode/system/promise.h"
 
 #include <Eigen/QR>
 
@@ -64,19 +65,16 @@ Matrix least_squares(const Linearised& a, Conditions residual) {
   return theta;
 }
 
-Matrix symmetric(const Matrix& a) { return 0.5 * (a + a.transpose()); }
-Matrix skew(const Matrix& a) { return 0.5 * (a - a.transpose()); }
-
 }  // namespace
 
 Reflection::Reflection(const Matrix& k, const Matrix& gamma, Matrix plus_, Matrix minus_) : plus(std::move(plus_)), minus(std::move(minus_)) {
   const Matrix k_plus = multiply(k, plus), gamma_plus = multiply(gamma, plus);
-  k1 = symmetric(multiply_tn(plus, k_plus));
-  k2 = symmetric(multiply_tn(minus, multiply(k, minus)));
+  k1 = symmetric_part(multiply_tn(plus, k_plus));
+  k2 = symmetric_part(multiply_tn(minus, multiply(k, minus)));
   k12 = multiply_tn(k_plus, minus);
   b = -multiply_tn(gamma_plus, minus);
-  gamma1 = skew(multiply_tn(plus, gamma_plus));
-  gamma2 = skew(multiply_tn(minus, multiply(gamma, minus)));
+  gamma1 = skew_part(multiply_tn(plus, gamma_plus));
+  gamma2 = skew_part(multiply_tn(minus, multiply(gamma, minus)));
 }
 
 double Reflection::breach_k() const { return std::sqrt(2.0) * k12.norm(); }
