@@ -72,9 +72,9 @@ Tally solved(const System& system, dense::Method method) {
   const dense::Spectrum s = dense::solve(system, analyse(system).components.front(), method);
   Tally t;
   for (Index k = 0; k < s.omega.size(); ++k) t.add({0, s.omega(k)}, residual({0, s.omega(k)}, placed(s, s.shape(k))));
-  for (Index k = 0; k < s.flutter_shapes.cols(); ++k) {
-    const Complex lambda = s.flutter[static_cast<std::size_t>(k)];
-    t.add(lambda, residual(lambda, placed(s, s.flutter_shapes.col(k))));
+  for (Index k = 0; k < s.unstable.count(); ++k) {
+    const Complex lambda = s.unstable.lambda[static_cast<std::size_t>(k)];
+    t.add(lambda, residual(lambda, placed(s, s.unstable.right.col(k))));
   }
   return t;
 }

@@ -37,10 +37,10 @@ System unstable_system(Index p, Index r, Index zeros, std::mt19937_64& random) {
 
 double residual(const System& s, const Spectrum& spectrum, Index k) {
   const auto& order = spectrum.order;
-  const Complex lambda = spectrum.flutter[static_cast<std::size_t>(k)];
+  const Complex lambda = spectrum.unstable.lambda[static_cast<std::size_t>(k)];
   const auto taken = [&](const Matrix& a) { return ComplexMatrix(restricted(a, order, order).cast<Complex>()); };
   const ComplexMatrix n = taken(s.stiffness()) + lambda * taken(s.gyroscopic()) + lambda * lambda * taken(s.mass());
-  const ComplexVector x = spectrum.flutter_shapes.col(k);
+  const ComplexVector x = spectrum.unstable.right.col(k);
   return (n * x).norm() / (n.norm() * x.norm());
 }
 
@@ -54,8 +54,8 @@ TEST_P(FlutterShapes, AnnihilateTheCharacteristicMatrix) {
     const System s = unstable_system(4, 5, zeros, random);
     for (const Component& component : analyse(s).components) {
       const Spectrum spectrum = solve(s, component, method);
-      ASSERT_EQ(spectrum.flutter_shapes.cols(), static_cast<Index>(spectrum.flutter.size()));
-      for (Index k = 0; k < spectrum.flutter_shapes.cols(); ++k) {
+      ASSERT_EQ(spectrum.unstable.right.cols(), spectrum.unstable.count());
+      for (Index k = 0; k < spectrum.unstable.count(); ++k) {
         ++seen;
         EXPECT_LE(residual(s, spectrum, k), 1e4 * 9 * std::numeric_limits<double>::epsilon()) << "trial " << trial;
       }

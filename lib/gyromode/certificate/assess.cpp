@@ -1,5 +1,7 @@
 #include "gyromode/certificate/assess.h"
 
+#include "gyromode/certificate/assess_unstable.h"
+
 #include "gyromode/lapack/multiply.h"
 
 #include <Eigen/SVD>
@@ -56,13 +58,33 @@ struct Functional {
   }
 };
 
-double residual_norm(const Impedance& h, const Products& p, double omega, Index i) {
-  if (!h.second_order()) {
-    return std::hypot((omega * p.m_re.col(i) - p.g_re.col(i)).norm(), (omega * p.m_im.col(i) - p.g_im.col(i)).norm());
-  }
+// r = H(ω)X, real and imaginary parts of the rows that each has.
+struct ResidualVector {
+  Vector re, im;
+};
+ResidualVector residual_of(const Impedance& h, const Products& p, double omega, Index i) {
+  if (!h.second_order()) return {omega * p.m_re.col(i) - p.g_re.col(i), omega * p.m_im.col(i) - p.g_im.col(i)};
   const double w2 = omega * omega;
-  return std::hypot((p.k_re.col(i) - w2 * p.m_re.col(i) + omega * p.g_re.col(i)).norm(), (p.k_im.col(i) - w2 * p.m_im.col(i) + omega * p.g_im.col(i)).norm());
+  return {p.k_re.col(i) - w2 * p.m_re.col(i) + omega * p.g_re.col(i), p.k_im.col(i) - w2 * p.m_im.col(i) + omega * p.g_im.col(i)};
 }
+
+// |z_i|² of every row of a vector given by the real and imaginary parts of its rows: one each with a partition, both without.
+Vector squares(const Impedance& h, const Eigen::Ref<const Vector>& re, const Eigen::Ref<const Vector>& im) {
+  if (!h.quadrature()) return re.cwiseAbs2() + im.cwiseAbs2();
+  Vector all(re.size() + im.size());
+  all << re.cwiseAbs2(), im.cwiseAbs2();
+  return all;
+}
+
+ComplexVector whole(const Impedance& h, const Vector& re, const Vector& im) {
+  ComplexVector z = ComplexVector::Zero(h.size());
+  z.head(re.size()).real() = re;
+  z.tail(im.size()).imag() = im;
+  return z;
+}
+
+// c of the error bounds: what c roundings of own_scale, as good as independent, add up to.
+double roundings(Index n) { return (2 + std::sqrt(static_cast<double>(n))) * epsilon; }
 
 std::vector<Index> chosen(const std::vector<Index>& v, const std::vector<Index>& order) {
   std::vector<Index> sorted;
@@ -77,7 +99,7 @@ void sort_by_frequency(dense::Spectrum& s, Assessment& a) {
   std::iota(order.begin(), order.end(), Index{0});
   std::stable_sort(order.begin(), order.end(), [&](Index i, Index k) { return s.omega(i) < s.omega(k); });
   a.cluster = chosen(a.cluster, order);
-  for (Vector* v : {&s.omega, &a.residual, &a.form, &a.error_bound, &a.sensitivity}) *v = Vector((*v)(order));
+  for (Vector* v : {&s.omega, &a.residual, &a.own_residual, &a.form, &a.error_bound, &a.sensitivity}) *v = Vector((*v)(order));
   s.re = Matrix(s.re(Eigen::all, order));
   s.im = Matrix(s.im(Eigen::all, order));
 }
@@ -97,8 +119,8 @@ Complex form_between(const Impedance& h, const dense::Spectrum& s, const Product
 
 double smallest_singular_value(const ComplexMatrix& a) { return Eigen::JacobiSVD<ComplexMatrix>(a).singularValues().minCoeff(); }
 
-// Runs of roots, in order of frequency, whose intervals overlap.
-void bound_clusters(const Impedance& h, const dense::Spectrum& s, const Products& p, Assessment& a) {
+// Runs of roots, in order of frequency, whose intervals overlap. own_scale and own_error are those of unit shapes.
+void bound_clusters(const Impedance& h, const dense::Spectrum& s, const Products& p, const Vector& own_scale, const Vector& own_error, Assessment& a) {
   constexpr std::size_t most = 64;  // a larger run is no cluster but a spectrum that rounding cannot resolve: the single bounds stand
   std::vector<Index> order(static_cast<std::size_t>(s.omega.size()));
   std::iota(order.begin(), order.end(), Index{0});
@@ -110,16 +132,16 @@ void bound_clusters(const Impedance& h, const dense::Spectrum& s, const Products
     const std::size_t count = last - first + 1;
     if (count == 1 || count > most) continue;
     ComplexMatrix gram(static_cast<Index>(count), static_cast<Index>(count));
-    double residual2 = 0;
+    double error2 = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const Index at = order[first + i];
-      residual2 += std::pow((a.residual(at) + epsilon) * h.scale(s.omega(at)), 2);
+      error2 += std::pow(own_error(at) / own_scale(at), 2);
       for (std::size_t k = 0; k < count; ++k) {
-        const double lengths = std::hypot(s.re.col(at).norm(), s.im.col(at).norm()) * std::hypot(s.re.col(order[first + k]).norm(), s.im.col(order[first + k]).norm());
-        gram(static_cast<Index>(i), static_cast<Index>(k)) = form_between(h, s, p, at, order[first + k], s.omega(at)) / lengths;
+        const Index other = order[first + k];
+        gram(static_cast<Index>(i), static_cast<Index>(k)) = form_between(h, s, p, at, other, s.omega(at)) / std::sqrt(own_scale(at) * own_scale(other));
       }
     }
-    const double bound = std::sqrt(residual2) / smallest_singular_value(gram);
+    const double bound = std::sqrt(error2) / smallest_singular_value(gram);
     for (std::size_t i = first; i <= last; ++i) {
       a.error_bound(order[i]) = std::max(single(order[i]), bound);
       a.cluster[static_cast<std::size_t>(order[i])] = static_cast<Index>(count);
@@ -129,17 +151,24 @@ void bound_clusters(const Impedance& h, const dense::Spectrum& s, const Products
 
 Assessment measured(const Impedance& h, dense::Spectrum& s, const Products& p) {
   const Index m = s.omega.size();
-  Assessment a{Vector(m), Vector(m), Vector(m), Vector(m), std::vector<Index>(static_cast<std::size_t>(m), 1)};
+  Assessment a{Vector(m), Vector(m), Vector(m), Vector(m), Vector(m), std::vector<Index>(static_cast<std::size_t>(m), 1), {}};
+  Vector own_scale(m), own_error(m);
+  const Vector given2 = h.units().coordinate.cwiseAbs2();
   for (Index i = 0; i < m; ++i) {
     const double omega = s.omega(i);
-    const double length2 = s.re.col(i).squaredNorm() + s.im.col(i).squaredNorm();
-    const double scale = h.scale(omega);
-    a.residual(i) = residual_norm(h, p, omega, i) / (scale * std::sqrt(length2));
-    a.form(i) = functional(h, s, p, i).slope(omega) / length2;
-    a.sensitivity(i) = scale / std::abs(a.form(i));
-    a.error_bound(i) = (a.residual(i) + epsilon) * a.sensitivity(i);
+    const ResidualVector r = residual_of(h, p, omega, i);
+    const Vector r2 = squares(h, r.re, r.im), x2 = squares(h, s.re.col(i), s.im.col(i));
+    const Vector weight = h.weight(omega);
+    const double form = functional(h, s, p, i).slope(omega);
+    own_scale(i) = weight.dot(x2);
+    own_error(i) = (r2.cwiseProduct(x2)).cwiseSqrt().sum() + roundings(h.size()) * own_scale(i);
+    a.residual(i) = h.plain_coordinates() ? std::sqrt(r2.cwiseQuotient(given2).sum() / x2.dot(given2)) / h.given_scale(omega) : h.given_residual(whole(h, r.re, r.im), s.shape(i), omega);
+    a.own_residual(i) = std::sqrt((weight.array() > 0).select(r2.cwiseQuotient(weight), 0).sum() / own_scale(i));
+    a.form(i) = form / x2.sum();
+    a.sensitivity(i) = own_scale(i) / std::abs(form);
+    a.error_bound(i) = own_error(i) / std::abs(form);
   }
-  bound_clusters(h, s, p, a);
+  bound_clusters(h, s, p, own_scale, own_error, a);
   sort_by_frequency(s, a);
   return a;
 }
@@ -151,9 +180,20 @@ double backward_error(Index n) { return 4 * static_cast<double>(std::max<Index>(
 Assessment assess(const Impedance& h, dense::Spectrum& s) {
   const Products p = products(h, s);
   for (Index i = 0; i < s.omega.size(); ++i) s.omega(i) = functional(h, s, p, i).corrected(s.omega(i));
-  return measured(h, s, p);
+  Assessment a = measured(h, s, p);
+  a.unstable = assess_unstable(h, s);
+  return a;
 }
 
-Assessment measure(const Impedance& h, dense::Spectrum& s) { return measured(h, s, products(h, s)); }
+Assessment measure(const Impedance& h, dense::Spectrum& s) {
+  Assessment a = measured(h, s, products(h, s));
+  a.unstable = measure_unstable(h, s.unstable);
+  return a;
+}
+
+Assessment::Unstable assess_unstable(const Impedance& h, dense::Spectrum& s) {
+  correct_unstable(h, s.unstable);
+  return measure_unstable(h, s.unstable);
+}
 
 }  // namespace gyromode

@@ -6,25 +6,36 @@
 
 namespace gyromode {
 
-/// 4 n ε (n at least 2): a backward error of this size, relative to ‖K‖ + ω‖G‖ + ω²‖M‖, is within what reading and solving the model may have done.
+/// 4 n ε (n at least 2): a backward error of this size, relative to each coefficient in its own scale (Impedance::weight), is within what reading and solving the model may have done.
 double backward_error(Index n);
 
-/// What is measured of every root of a Spectrum on the matrices as they were given.
+/// What is measured of every root of a Spectrum on the matrices as they were given (changed to the natural units of the component, which adds no rounding).
+///
+/// With r = H(ω)X the pair (ω, X) is exact for a Hermitian change of H whose entries, scaled as the optimal diagonal scaling would, move a simple root by |X|ᵀ|r|/|form| to first order, whatever the units of the
+/// coordinates: the optimum over D of ‖Dr‖‖D⁻¹X‖ is |X|ᵀ|r|. Forming r and the form itself adds some ε of own_scale = Σ weight_i|X_i|².
 struct Assessment {
-  Vector residual;      ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂), 1-norms of matrices
+  Vector residual;      ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂), 1-norms of matrices, everything in the units given
+  Vector own_residual;  ///< ‖D r‖ / ‖D⁻¹X‖, D⁻² = diag(weight): the same in each coefficient's own scale
   Vector form;          ///< Xᴴ(2ωM − jG)X / ‖X‖²; first order XᴴIX / ‖X‖²: its sign is the energy sign
-  /// |δω| ≤ (‖H(ω)X‖ + ε·scale·‖X‖)‖X‖ / |Xᴴ(2ωM − jG)X|, to first order, for a simple root. Where such intervals overlap the roots are a cluster of c, and the bound is
-    /// that of their span: ‖[H(ω_i)X_i]‖ / σ_min([X_iᴴ(2ωM − jG)X_k]) over unit X_i, √c times as large where the X_i are as good as orthogonal.
+  /// |δω| ≤ (|X|ᵀ|r| + c ε own_scale) / |Xᴴ(2ωM − jG)X|, c = 2 + √n, to first order, for a simple root. Where such intervals overlap the roots are a cluster of c, and the bound is
+  /// that of their span: the same over the smallest singular value of [X_iᴴ(2ωM − jG)X_k], each X_i of own_scale 1.
   Vector error_bound;
-  Vector sensitivity;   ///< |δω| for a backward error of 1 in H relative to scale: scale·‖X‖² / |Xᴴ(2ωM − jG)X|
+  Vector sensitivity;   ///< |δω| for a backward error of 1 in each coefficient's own scale: own_scale / |form|
   std::vector<Index> cluster;  ///< c of every root, 1 for a simple one
+
+  struct Unstable {  ///< the same of the roots off the axis, with the left vector Y: |δλ| ≤ (|Y|ᵀ|r| + c ε own_scale) / |YᴴN′(λ)X|
+    Vector residual, own_residual, error_bound, sensitivity;
+  } unstable;
 };
 
 /// Moves every ω of `s` to the root of Xᴴ H(ω) X = 0 near it (the Rayleigh functional, whose error is quadratic in that of X) by Newton's method, where that
-/// is a correction and no jump; then measures. `s` stays sorted.
+/// is a correction and no jump; likewise every unstable λ by YᴴN(λ)X; then measures. `s` stays sorted.
 Assessment assess(const Impedance& h, dense::Spectrum& s);
 
 /// Measures `s` as it stands, sorting it.
 Assessment measure(const Impedance& h, dense::Spectrum& s);
+
+/// The roots off the axis alone, moved and measured.
+Assessment::Unstable assess_unstable(const Impedance& h, dense::Spectrum& s);
 
 }  // namespace gyromode

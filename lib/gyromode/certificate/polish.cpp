@@ -24,7 +24,7 @@ std::vector<std::vector<Index>> poor_groups(const dense::Spectrum& s, const Asse
     }
     if (i == s.omega.size()) break;
     run.push_back(i);
-    poor = poor || !(a.residual(i) <= enough);
+    poor = poor || !(a.own_residual(i) <= enough);
     reach = std::max(reach, s.omega(i) + 4 * a.error_bound(i));
   }
   return groups;

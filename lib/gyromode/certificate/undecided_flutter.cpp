@@ -13,8 +13,8 @@ namespace {
 
 // Appends two modes at Im λ with the shape of the flutter root, phased so that the larger of its parts is as real as it can be.
 void return_to_axis(dense::Spectrum& s, Index k) {
-  const double omega = s.flutter[static_cast<std::size_t>(k)].imag();
-  ComplexVector x = s.flutter_shapes.col(k);
+  const double omega = s.unstable.lambda[static_cast<std::size_t>(k)].imag();
+  ComplexVector x = s.unstable.right.col(k);
   Complex square = 0;  // the phase that makes the in-phase rows real: half the argument of Σ x²
   const Index rows = s.split < 0 ? s.size() : s.split;
   for (Index i = 0; i < rows; ++i) square += x(i) * x(i);
@@ -34,8 +34,7 @@ void return_to_axis(dense::Spectrum& s, Index k) {
 std::vector<Complex> all_roots(const dense::Spectrum& s) {
   std::vector<Complex> roots;
   for (const double w : s.omega) roots.emplace_back(0, w);
-  roots.insert(roots.end(), s.divergence.begin(), s.divergence.end());
-  roots.insert(roots.end(), s.flutter.begin(), s.flutter.end());
+  roots.insert(roots.end(), s.unstable.lambda.begin(), s.unstable.lambda.end());
   return roots;
 }
 
@@ -52,55 +51,70 @@ double room_around(Complex lambda, const std::vector<Complex>& roots, std::size_
   return room;
 }
 
-// Growth rates so far from the axis that no backward error brings them back to it are left as the solver found them; the rest are refined on the
-// matrices as given. Returns how far a backward error moves each flutter root.
-std::vector<double> refine_weak_roots(const Impedance& h, dense::Spectrum& s) {
-  constexpr double strong = 1e-2;
-  constexpr Index small = 64;  // here every root is refined: it costs next to nothing
+// Roots with a residual above rounding, or a bound that is no small part of the growth rate, are refined by themselves, each by some factorisations of order n: in a large system as many as a few
+// seconds allow, the weakest first.
+bool refine_poor_roots(const Impedance& h, dense::Spectrum& s, const Assessment& a) {
+  constexpr double small_part = 1e-3;
+  const double enough = backward_error(s.size());
+  std::vector<Index> poor;
+  for (Index k = 0; k < s.unstable.count(); ++k) {
+    const bool good = a.unstable.own_residual(k) <= enough && a.unstable.error_bound(k) <= small_part * s.unstable.lambda[static_cast<std::size_t>(k)].real();
+    if (!good) poor.push_back(k);
+  }
+  std::sort(poor.begin(), poor.end(), [&](Index i, Index k) { return s.unstable.lambda[static_cast<std::size_t>(i)].real() < s.unstable.lambda[static_cast<std::size_t>(k)].real(); });
+  const double n = static_cast<double>(s.size());
+  const std::size_t affordable = static_cast<std::size_t>(std::max(4.0, 4e6 / (n * n)));
+  if (poor.size() > affordable) poor.resize(affordable);
   const std::vector<Complex> roots = all_roots(s);
-  double largest = 0;
-  for (const Complex& z : roots) largest = std::max(largest, std::abs(z));
-  const std::size_t first_real = static_cast<std::size_t>(s.omega.size());
-  for (std::size_t k = 0; k < s.divergence.size(); ++k) {
-    double& sigma = s.divergence[k];
-    if (s.size() <= small || sigma < strong * largest) sigma = dense::refine_unstable(h, sigma, room_around(sigma, roots, first_real + k)).lambda.real();
+  const std::size_t first = static_cast<std::size_t>(s.omega.size());
+  bool changed = false;
+  for (const Index k : poor) {
+    Complex& lambda = s.unstable.lambda[static_cast<std::size_t>(k)];
+    const auto refined = dense::refine_unstable(h, lambda, room_around(lambda, roots, first + static_cast<std::size_t>(k)));
+    if (!refined || !(refined->lambda.real() > 0)) continue;
+    lambda = Complex(refined->lambda.real(), std::abs(refined->lambda.imag()));
+    s.unstable.right.col(k) = refined->lambda.imag() < 0 ? ComplexVector(refined->right.conjugate()) : refined->right;
+    s.unstable.left.col(k) = refined->lambda.imag() < 0 ? ComplexVector(refined->left.conjugate()) : refined->left;
+    changed = true;
   }
-  std::vector<double> movement;
-  for (std::size_t k = 0; k < s.flutter.size(); ++k) {
-    if (s.size() > small && s.flutter[k].real() >= strong * largest) {
-      movement.push_back(0);
-      continue;
+  return changed;
+}
+
+// Flutter so slow that its disc, or a backward error, meets the real axis is two real pairs to rounding: the real and the imaginary part of its vectors are theirs. It grows as well as they do, and counts as much.
+bool part_double_divergence(dense::Spectrum& s, const Assessment& a) {
+  dense::UnstableRoots parted;
+  for (Index k = 0; k < s.unstable.count(); ++k) {
+    const Complex lambda = s.unstable.lambda[static_cast<std::size_t>(k)];
+    const ComplexVector x = s.unstable.right.col(k), y = s.unstable.left.col(k);
+    const double movement = std::max(backward_error(s.size()) * a.unstable.sensitivity(k), 2 * a.unstable.error_bound(k));
+    if (lambda.imag() == 0 || lambda.imag() > movement || lambda.real() <= movement) {
+      parted.add(lambda, x, y);
+    } else {
+      parted.add(lambda.real(), x.real().cast<Complex>(), y.real().cast<Complex>());
+      parted.add(lambda.real(), x.imag().cast<Complex>(), y.imag().cast<Complex>());
     }
-    const double room = room_around(s.flutter[k], roots, first_real + s.divergence.size() + k);
-    const dense::UnstableRoot root = dense::refine_unstable(h, s.flutter[k], room);
-    movement.push_back(backward_error(s.size()) * root.sensitivity);
-    if (!(root.lambda.real() > 0) || root.shape.isZero(0)) continue;
-    s.flutter[k] = Complex(root.lambda.real(), std::abs(root.lambda.imag()));
-    s.flutter_shapes.col(static_cast<Index>(k)) = root.shape;
   }
-  return movement;
+  const bool changed = parted.count() != s.unstable.count();
+  if (changed) s.unstable = std::move(parted);
+  return changed;
 }
 
 }  // namespace
 
-bool return_undecided_flutter(const Impedance& h, dense::Spectrum& s, Assessment& a) {
-  const std::vector<double> movement = refine_weak_roots(h, s);
-  std::vector<Complex> decided;
-  std::vector<Index> columns;
-  for (std::size_t k = 0; k < movement.size(); ++k) {
-    if (s.flutter[k].real() > movement[k]) {
-      decided.push_back(s.flutter[k]);
-      columns.push_back(static_cast<Index>(k));
-    } else {
-      return_to_axis(s, static_cast<Index>(k));
-    }
+void return_undecided_flutter(const Impedance& h, dense::Spectrum& s, Assessment& a) {
+  if (s.unstable.count() == 0) return;
+  if (refine_poor_roots(h, s, a)) a.unstable = assess_unstable(h, s);
+  if (part_double_divergence(s, a)) a.unstable = assess_unstable(h, s);
+  std::vector<Index> kept, returned;
+  for (Index k = 0; k < s.unstable.count(); ++k) {
+    const double movement = std::max(backward_error(s.size()) * a.unstable.sensitivity(k), 2 * a.unstable.error_bound(k));
+    (s.unstable.divergent(k) || s.unstable.lambda[static_cast<std::size_t>(k)].real() > movement ? kept : returned).push_back(k);
   }
-  if (decided.size() == s.flutter.size()) return false;
-  s.flutter = std::move(decided);
-  s.flutter_shapes = ComplexMatrix(s.flutter_shapes(Eigen::all, columns));
+  if (returned.empty()) return;
+  for (const Index k : returned) return_to_axis(s, k);
+  s.unstable = s.unstable.chosen(kept);
   a = measure(h, s);
   polish(h, s, a);
-  return true;
 }
 
 }  // namespace gyromode

@@ -1,7 +1,10 @@
 #include "gyromode/certificate/verdict.h"
 
 #include "gyromode/certificate/energy_signs.h"
+#include "gyromode/certificate/exhibits.h"
 #include "gyromode/certificate/undecided_flutter.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -12,14 +15,23 @@ namespace {
 IndexBalance balance_of(const dense::Spectrum& s, const EnergySigns& signs) {
   IndexBalance b;
   b.negative = s.stiffness_negative;
-  b.real_pairs = static_cast<Index>(s.divergence.size());
-  b.quadruples = static_cast<Index>(s.flutter.size());
+  b.real_pairs = s.divergent();
+  b.quadruples = s.fluttering();
   b.negative_energy = std::count(signs.sign.begin(), signs.sign.end(), -1) + signs.undecided_pairs;
   b.zero = s.zero_pairs();
   b.zero_negative = s.stiffness_negative - s.reduced_negative;
-  const Index found = s.omega.size() + b.zero + b.real_pairs + 2 * b.quadruples;
-  b.closed = found == s.size() && s.reduced_negative == b.real_pairs + 2 * b.quadruples + 2 * b.negative_energy;
   return b;
+}
+
+// Why the roots found do not account for everything; empty where they do.
+std::string open_reason(const dense::Spectrum& s, const IndexBalance& b, const Exhibits& shown) {
+  if (!s.omega.allFinite() || !(s.omega.array() > 0).all()) return "a root far below the largest was lost";
+  const Index found = s.omega.size() + b.zero + b.real_pairs + 2 * b.quadruples;
+  if (found != s.size()) return fmt::format("{} of {} roots were found", found, s.size());
+  if (s.rank_doubtful) return "the rank of K, or of what G makes of its null space, is not decided: a pivot comes within rounding of zero";
+  const Index exhibited_index = b.real_pairs + 2 * b.quadruples + 2 * b.negative_energy;
+  if (s.reduced_negative != exhibited_index) return fmt::format("K has {} negative eigenvalues where the roots found account for {}", s.reduced_negative, exhibited_index);
+  return shown.reason;
 }
 
 // Every pair of roots of I q̇ + G q = 0 is a mode or two constant solutions.
@@ -53,22 +65,38 @@ IndexBalance& IndexBalance::operator+=(const IndexBalance& other) {
   return *this;
 }
 
+namespace {
+
+// A verdict is worth what its balance is worth: roots that do not account for everything leave room for another one.
+Stability stability_of(const dense::Spectrum& s, const Verdict& v, bool undecided) {
+  if (!v.balance.closed) return Stability::unknown;
+  if (s.stiffness_negative == 0) return Stability::stable;
+  if (s.unstable.count() > 0) return Stability::unstable;
+  if (undecided || s.zero_pairs() > 0) return Stability::marginal;
+  return Stability::gyroscopically_stabilised;
+}
+
+}  // namespace
+
 Verdict judge(const Impedance& h, dense::Spectrum& s, Assessment& a) {
-  const bool flutter_undecided = h.second_order() && return_undecided_flutter(h, s, a);
+  if (h.second_order()) return_undecided_flutter(h, s, a);
   const EnergySigns signs = energy_signs(h, s, a);
   Verdict v;
   v.energy_sign = signs.sign;
   v.gap = signs.gap;
-  v.balance = h.second_order() ? balance_of(s, signs) : first_order_balance(s);
-  if (s.stiffness_negative == 0) {
-    v.stability = v.balance.closed ? Stability::stable : Stability::unknown;
-  } else if (!s.divergence.empty() || !s.flutter.empty()) {
-    v.stability = Stability::unstable;
-  } else if (flutter_undecided || signs.undecided_pairs > 0 || s.zero_pairs() > 0) {
-    v.stability = Stability::marginal;
+  if (h.second_order()) {
+    v.balance = balance_of(s, signs);
+    Exhibits shown;  // with K ≥ 0 there is nothing off the axis, and counts are plain counts
+    if (s.stiffness_negative > 0) shown = exhibited(h, s, a);
+    v.unstable_shown = shown.unstable;
+    v.unstable_shown.resize(static_cast<std::size_t>(s.unstable.count()), false);
+    v.reason = open_reason(s, v.balance, shown);
+    v.balance.closed = v.reason.empty();
   } else {
-    v.stability = v.balance.closed ? Stability::gyroscopically_stabilised : Stability::unknown;
+    v.balance = first_order_balance(s);
+    if (!v.balance.closed) v.reason = "the modes and constant solutions found do not make up the order of the system";
   }
+  v.stability = stability_of(s, v, signs.undecided_pairs > 0);
   return v;
 }
 

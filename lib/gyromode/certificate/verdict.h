@@ -2,6 +2,7 @@
 
 #include "gyromode/certificate/assess.h"
 
+#include <string>
 #include <string_view>
 
 namespace gyromode {
@@ -32,6 +33,8 @@ struct IndexBalance {
 struct Verdict {
   Stability stability = Stability::stable;
   IndexBalance balance;
+  std::vector<bool> unstable_shown;  ///< of every root off the axis: whether it was shown to exist; others are no result
+  std::string reason;  ///< why the balance is open, for people; empty where it is closed
   std::vector<int> energy_sign;  ///< of every root in the Spectrum: 1, −1, or 0 where it cannot be told
   /// Smallest distance between roots of opposite energy sign relative to the larger; infinite where there is none.
   double gap = 0;

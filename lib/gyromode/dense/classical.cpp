@@ -61,11 +61,7 @@ void solve_companion(const SecondOrder& m, Spectrum& s) {
   s.store_stiffness(d);
   const MassNormal normal(m.mass);
   const NormalForm form{normal.gyroscopic(m.gyroscopic), normal.stiffness(m.stiffness)};
-  if (d.zero > 0) {
-    Matrix null = d.null_space;
-    normal.to_normal(null);
-    store_zero_modes(deflate(form, {null, d.zero, d.negative, null_error(n, d.margin)}), d.null_space, s);
-  }
+  if (d.zero > 0) store_zero_modes(deflate({m.mass, m.gyroscopic, m.stiffness, -1}), d.null_space, s);
   const auto e = lapack::general_eigen(companion_matrix(m));
   const auto kept = nonzero_roots(e.values, 2 * s.zero_pairs());
   Matrix re = e.vectors.bottomRows(n).real()(Eigen::all, kept);
@@ -77,14 +73,12 @@ void solve_companion(const SecondOrder& m, Spectrum& s) {
   z.imag() = im;
   IndefiniteModes modes = resolve_roots(form, e.values(kept), z);
   s.omega = std::move(modes.omega);
-  s.divergence = std::move(modes.divergence);
-  s.flutter = std::move(modes.flutter);
-  s.flutter_shapes = std::move(modes.flutter_shapes);
+  s.unstable = std::move(modes.unstable);
   s.re = modes.shapes.real();
   s.im = modes.shapes.imag();
   normal.to_physical(s.re);
   normal.to_physical(s.im);
-  normal.to_physical(s.flutter_shapes);
+  normal.to_physical(s.unstable);
   s.path = "first-order companion form of order 2n (asked for)";
 }
 

@@ -14,14 +14,12 @@ namespace {
 double rank_threshold(Index n, double largest) { return 8 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * largest; }
 
 // X = (L₁⁻ᵀa, −jL₂⁻ᵀc) for the singular vectors a, c of L₁⁻¹BL₂⁻ᵀ; the constant solutions are the null spaces of Bᵀ and B.
-void solve_partitioned(const Matrix& inertia, const Matrix& g, Spectrum& s) {
-  const Index p = s.split;
-  const Index r = inertia.rows() - p;
-  const MassNormal first(inertia.topLeftCorner(p, p));
-  const MassNormal second(inertia.bottomRightCorner(r, r));
-  const auto svd = lapack::singular_value_decomposition(first.coupling(g.topRightCorner(p, r), second));
+void solve_partitioned(const Impedance& h, Spectrum& s) {
+  const MassNormal first(h.mass_rr());
+  const MassNormal second(h.mass_ii());
+  const auto svd = lapack::singular_value_decomposition(first.coupling(h.gyroscopic_ri(), second));
   const double largest = svd.values.size() > 0 ? svd.values(0) : 0;
-  const Index m = (svd.values.array() > rank_threshold(inertia.rows(), largest)).count();
+  const Index m = (svd.values.array() > rank_threshold(h.size(), largest)).count();
   s.omega = svd.values.head(m).reverse();
   s.re = svd.u.leftCols(m).rowwise().reverse();
   s.im = -svd.vt.topRows(m).colwise().reverse().transpose();
@@ -50,13 +48,18 @@ Matrix constant_solutions(const Matrix& g, Index count) {
 
 }  // namespace
 
-void solve_first_order(const Matrix& inertia, const Matrix& gyroscopic, Spectrum& s) {
-  if (s.split >= 0) {
-    solve_partitioned(inertia, gyroscopic, s);
+void solve_first_order(const Impedance& h, Spectrum& s) {
+  Matrix g = h.gyroscopic_ri();
+  if (h.quadrature()) {
+    solve_partitioned(h, s);
+    const Index p = h.mass_rr().rows();
+    g = Matrix::Zero(h.size(), h.size());
+    g.topRightCorner(p, h.size() - p) = h.gyroscopic_ri();
+    g.bottomLeftCorner(h.size() - p, p) = -h.gyroscopic_ri().transpose();
   } else {
-    solve_whole(inertia, gyroscopic, s);
+    solve_whole(h.mass_rr(), g, s);
   }
-  s.zero_shapes = constant_solutions(gyroscopic, inertia.rows() - 2 * s.omega.size());
+  s.zero_shapes = constant_solutions(g, h.size() - 2 * s.omega.size());
 }
 
 }  // namespace gyromode::dense

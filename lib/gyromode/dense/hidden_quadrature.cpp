@@ -3,26 +3,50 @@
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/singular.h"
 #include "gyromode/lapack/symmetric.h"
+#include "gyromode/lapack/triangular.h"
 #include "gyromode/structure/definiteness.h"
+#include "gyromode/system/promise.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gyromode::dense {
 
 namespace {
 
-// Of one group's stiffness, whose null space is known: the eigenvalues of least modulus belong to it, the signs of the others count.
-Definiteness with_null_space(const Matrix& k, Matrix null) {
+// One group in orthogonal coordinates whose last ones span its part of null(K): k with rows of exact zeros there. Rounding of the change of coordinates cannot make a null space of its own.
+struct Group {
+  Matrix basis;  // in_phase or in_quadrature in these coordinates
+  Matrix turn;   // Q
+  Matrix k;
   Definiteness d;
-  d.zero = null.cols();
-  d.null_space = std::move(null);
-  Vector values = lapack::symmetric_eigenvalues(k);
-  std::sort(values.begin(), values.end(), [](double a, double b) { return std::abs(a) > std::abs(b); });
-  const Vector rest = values.head(values.size() - d.zero);
-  d.negative = (rest.array() < 0).count();
-  d.positive = rest.size() - d.negative;
-  return d;
+};
+
+Group with_null_space(const Matrix& basis, const Matrix& k, const Matrix& null) {
+  const Index n = k.rows(), zero = null.cols();
+  const Matrix completed = lapack::orthogonal_completion(null);
+  Group g{{}, Matrix(n, n), {}, {}};
+  g.turn << completed.rightCols(n - zero), completed.leftCols(zero);
+  g.basis = lapack::multiply(basis, g.turn);
+  g.k = symmetric_part(lapack::multiply_tn(g.turn, lapack::multiply(k, g.turn)));
+  g.k.rightCols(zero).setZero();
+  g.k.bottomRows(zero).setZero();
+  const Vector values = lapack::symmetric_eigenvalues(g.k.topLeftCorner(n - zero, n - zero));
+  g.d.negative = (values.array() < 0).count();
+  g.d.positive = n - zero - g.d.negative;
+  g.d.zero = zero;
+  g.d.null_space = Matrix::Identity(n, n).rightCols(zero);
+  return g;
+}
+
+// What the coupling makes of the two null spaces, without what is rounding of b.
+Matrix turned_coupling(const Matrix& b, const Group& one, const Group& two) {
+  Matrix turned = lapack::multiply_tn(one.turn, lapack::multiply(b, two.turn));
+  const double rounding = 8 * static_cast<double>(b.rows() + b.cols()) * std::numeric_limits<double>::epsilon() * b.norm();
+  auto corner = turned.bottomRightCorner(one.d.zero, two.d.zero);
+  corner = (corner.array().abs() <= rounding).select(0, corner).eval();
+  return turned;
 }
 
 // null(K) falls into its parts in the two groups: the singular values of an orthonormal basis restricted to the first are 1 and 0.
@@ -42,23 +66,30 @@ SplitNull split_null(const Matrix& null, Index p) {
 bool solve_second_order(const SecondOrder& m, const ReversingSymmetry& r, Spectrum& s) {
   const Index p = r.in_phase.cols();
   const Index q = r.in_quadrature.cols();
-  Matrix to_physical(m.size(), p + q);
-  to_physical << r.in_phase, r.in_quadrature;
   const Definiteness d = definiteness(m.stiffness);
   SplitNull null{Matrix(p, 0), Matrix(q, 0)};
-  if (d.zero > 0) null = split_null(lapack::multiply_tn(to_physical, lapack::multiply(m.mass, d.null_space)), p);
-  const Definiteness d1 = with_null_space(r.stiffness1, std::move(null.first));
-  const Definiteness d2 = with_null_space(r.stiffness2, std::move(null.second));
-  if (d1.negative + d2.negative != d.negative || d1.zero + d2.zero != d.zero) return false;
+  if (d.zero > 0) {
+    Matrix whole(m.size(), p + q);
+    whole << r.in_phase, r.in_quadrature;
+    null = split_null(lapack::multiply_tn(whole, lapack::multiply(m.mass, d.null_space)), p);
+  }
+  const Group one = with_null_space(r.in_phase, r.stiffness1, null.first), two = with_null_space(r.in_quadrature, r.stiffness2, null.second);
+  if (one.d.negative + two.d.negative != d.negative || one.d.zero + two.d.zero != d.zero) return false;
 
   s.split = p;
-  solve_second_order(SecondOrderQuadrature{Matrix::Identity(p, p), Matrix::Identity(q, q), r.coupling, r.stiffness1, r.stiffness2}, d1, d2, s);
+  solve_second_order(SecondOrderQuadrature{Matrix::Identity(p, p), Matrix::Identity(q, q), turned_coupling(r.coupling, one, two), one.k, two.k}, one.d, two.d, s);
   s.split = -1;
   s.stiffness_margin = d.margin;
-  s.re = lapack::multiply(r.in_phase, s.re);
-  s.im = lapack::multiply(r.in_quadrature, s.im);
+  s.rank_doubtful = d.doubtful;
+  s.re = lapack::multiply(one.basis, s.re);
+  s.im = lapack::multiply(two.basis, s.im);
+  Matrix to_physical(m.size(), p + q);
+  to_physical << one.basis, two.basis;
   s.zero_shapes = lapack::multiply(to_physical, s.zero_shapes);
-  if (s.flutter_shapes.cols() > 0) s.flutter_shapes = (to_physical.cast<Complex>() * s.flutter_shapes).eval();
+  if (s.unstable.count() > 0) {
+    s.unstable.right = (to_physical.cast<Complex>() * s.unstable.right).eval();
+    s.unstable.left = (to_physical.cast<Complex>() * s.unstable.left).eval();
+  }
   s.path = "hidden " + s.path;
   return true;
 }

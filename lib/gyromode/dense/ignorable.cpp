@@ -1,9 +1,12 @@
 #include "gyromode/dense/ignorable.h"
 
 #include "gyromode/lapack/multiply.h"
-#include "gyromode/lapack/singular.h"
-#include "gyromode/lapack/symmetric.h"
-#include "gyromode/lapack/triangular.h"
+#include "gyromode/structure/ranked_factor.h"
+#include "gyromode/structure/ranked_skew.h"
+#include "gyromode/system/promise.h"
+#include "gyromode/system/scale.h"
+
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -13,139 +16,196 @@ namespace gyromode::dense {
 
 namespace {
 
-Matrix orthonormal(const Matrix& a) { return lapack::orthogonal_completion(a).leftCols(a.cols()); }
+using lapack::multiply;
+using lapack::multiply_tn;
 
-// Eigenvalues of k up to the threshold are zero. In mass-normalised coordinates all entries have the unit of ω², and what a reduction should have
-// made zero is rounding of ‖k‖ + ‖Γ‖²: an equilibration would blow it up.
-NullBasis normwise(const Matrix& k, double threshold) {
-  if (k.rows() == 0) return {Matrix(0, 0), 0, 0, 0};
-  const auto e = lapack::symmetric_eigen(k);
-  const Index negative = (e.values.array() < -threshold).count();
-  const Index zero = (e.values.array() <= threshold).count() - negative;
-  double gap = e.values.cwiseAbs().maxCoeff();
-  for (const double lambda : e.values) gap = std::abs(lambda) > threshold ? std::min(gap, std::abs(lambda)) : gap;
-  return {e.vectors.middleCols(negative, zero), zero, negative, gap > 0 ? threshold / gap : 0};
-}
+Matrix congruence(const Matrix& c, const Matrix& a) { return multiply_tn(c, multiply(a, c)); }
 
-NullBasis null_basis(const NormalForm& form, double threshold) {
-  const Index n = form.size();
-  if (!form.quadrature()) return normwise(form.k, threshold);
-  const Index p = form.split;
-  const NullBasis one = normwise(form.k.topLeftCorner(p, p), threshold);
-  const NullBasis two = normwise(form.k.bottomRightCorner(n - p, n - p), threshold);
-  NullBasis basis{Matrix::Zero(n, one.first + two.first), one.first, one.negative + two.negative, std::max(one.error, two.error)};
-  basis.vectors.topLeftCorner(p, one.first) = one.vectors;
-  basis.vectors.bottomRightCorner(n - p, two.first) = two.vectors;
-  return basis;
-}
-
-// null(k) = N₀ ⊕ N_g by the singular values of NᵀΓN (its off-diagonal block where there is a partition); those up to
-// 8 n ε ‖Γ‖, or what the error of N makes of ‖Γ‖, are zero.
-struct NullSplit {
-  Matrix n0;
-  Matrix ng;
+// null(K), each vector in one group where there is a partition.
+struct Null {
+  Matrix vectors;
+  Index negative_first = 0, negative_second = 0;
+  bool doubtful = false;
 };
 
-NullSplit split_null(const NormalForm& form, const NullBasis& basis) {
-  const Matrix& all = basis.vectors;
-  const double relative = std::max(8 * static_cast<double>(form.size()) * std::numeric_limits<double>::epsilon(), std::min(basis.error, 1e-8));
-  const double threshold = relative * form.gamma.norm();
-  const bool blocks = form.quadrature();
-  const Matrix left = blocks ? Matrix(all.leftCols(basis.first)) : all;
-  const Matrix right = blocks ? Matrix(all.rightCols(all.cols() - basis.first)) : all;
-  const Matrix g = left.transpose() * form.gamma * right;
-  // Zero rows or columns make the decomposition square, so that both null spaces are complete.
-  const Index m = std::max(g.rows(), g.cols());
-  Matrix square = Matrix::Zero(m, m);
-  square.topLeftCorner(g.rows(), g.cols()) = g;
-  const auto svd = lapack::singular_value_decomposition(square);
-  const Index rank = (svd.values.array() > threshold).count();
-  const Matrix u = lapack::orthogonal_completion(svd.u.topLeftCorner(g.rows(), rank));
-  const Matrix v = lapack::orthogonal_completion(svd.vt.topLeftCorner(rank, g.cols()).transpose());
-  NullSplit s;
-  if (blocks) {
-    s.n0.resize(form.size(), g.rows() + g.cols() - 2 * rank);
-    s.n0 << left * u.rightCols(g.rows() - rank), right * v.rightCols(g.cols() - rank);
-    s.ng.resize(form.size(), 2 * rank);
-    s.ng << left * u.leftCols(rank), right * v.leftCols(rank);
-  } else {
-    s.n0 = all * u.rightCols(g.rows() - rank);
-    s.ng = all * u.leftCols(rank);
+Null null_of(const SingularSystem& s, const Matrix& terms) {
+  const Index n = s.size();
+  const Index p = s.split < 0 ? n : s.split;
+  const RankedFactor one = ranked_factor(s.stiffness.topLeftCorner(p, p), terms.topLeftCorner(p, p));
+  const RankedFactor two = ranked_factor(s.stiffness.bottomRightCorner(n - p, n - p), terms.bottomRightCorner(n - p, n - p));
+  Null null{Matrix::Zero(n, one.zero() + two.zero()), one.negative, two.negative, one.doubtful() || two.doubtful()};
+  null.vectors.topLeftCorner(p, one.zero()) = one.null_space;
+  null.vectors.bottomRightCorner(n - p, two.zero()) = two.null_space;
+  null.vectors.colwise().normalize();
+  return null;
+}
+
+bool in_first_group(const SingularSystem& s, const Eigen::Ref<const Vector>& v) { return s.split < 0 || !v.head(s.split).isZero(0); }
+
+// N₀ and N_g. With a partition the columns of N_g in the first group come first.
+struct Split {
+  Matrix n0, ng;
+  bool doubtful = false;
+};
+
+Split split_null(const SingularSystem& s, const Matrix& null) {
+  const Matrix size = null.cwiseAbs();
+  const Matrix g = congruence(null, s.gyroscopic);
+  const RankedSkew f = ranked_skew(skew_part(g), congruence(size, s.gyroscopic.cwiseAbs()));
+  Split parts{multiply(null, f.null_space), Matrix(s.size(), static_cast<Index>(f.regular.size())), !(f.smallest_kept > 64 * static_cast<double>(s.size()) * std::numeric_limits<double>::epsilon())};
+  std::vector<Index> regular = f.regular;
+  std::stable_partition(regular.begin(), regular.end(), [&](Index k) { return in_first_group(s, null.col(k)); });
+  for (std::size_t k = 0; k < regular.size(); ++k) parts.ng.col(static_cast<Index>(k)) = null.col(regular[k]);
+  return parts;
+}
+
+// The coordinates in which N₀ is regular, as many as it has columns, by elimination with complete pivoting; N₀ is made the unit matrix there.
+std::vector<Index> pivots_of(Matrix& n0) {
+  std::vector<Index> rows;
+  std::vector<bool> used(static_cast<std::size_t>(n0.rows()), false);
+  for (Index k = 0; k < n0.cols(); ++k) {
+    Index row = -1, column = k;
+    for (Index j = k; j < n0.cols(); ++j) {
+      for (Index i = 0; i < n0.rows(); ++i) {
+        if (!used[static_cast<std::size_t>(i)] && (row < 0 || std::abs(n0(i, j)) > std::abs(n0(row, column)))) {
+          row = i;
+          column = j;
+        }
+      }
+    }
+    used[static_cast<std::size_t>(row)] = true;
+    rows.push_back(row);
+    n0.col(k).swap(n0.col(column));
+    n0.col(k) /= n0(row, k);
+    for (Index j = 0; j < n0.cols(); ++j) {
+      if (j == k || n0(row, j) == 0) continue;
+      n0.col(j) -= n0(row, j) * n0.col(k);
+      n0(row, j) = 0;
+    }
   }
-  return s;
+  return rows;
 }
 
-// Orthonormal columns spanning the complement of N₀, group by group where there is a partition.
-Matrix complement(const NormalForm& form, const Matrix& n0, Index& split) {
-  const Index n = form.size();
-  const Index r0 = n0.cols();
-  if (!form.quadrature()) return lapack::orthogonal_completion(n0).rightCols(n - r0);
-  const Index p = form.split;
-  Index in_first = 0;
-  while (in_first < r0 && !n0.col(in_first).head(p).isZero(0)) ++in_first;
-  Matrix c = Matrix::Zero(n, n - r0);
-  split = p - in_first;
-  const Index second = n - p - (r0 - in_first);
-  c.topLeftCorner(p, split) = lapack::orthogonal_completion(n0.topLeftCorner(p, in_first)).rightCols(split);
-  c.bottomRightCorner(n - p, second) = lapack::orthogonal_completion(n0.bottomRightCorner(n - p, r0 - in_first)).rightCols(second);
-  return c;
+// Columns of E combined (E := E R) until A R has no more than one entry a row. The pivot of a row is the column in which it is largest beside the root of the stiffness there: combining then does not bring the
+// stiffness of a stiff coordinate into a soft one.
+Matrix gathered(Matrix& a, const Vector& stiffness_weight) {
+  const Index n = a.cols();
+  Matrix r = Matrix::Identity(n, n);
+  const Vector root = stiffness_weight.cwiseSqrt();
+  std::vector<bool> row_used(static_cast<std::size_t>(a.rows()), false), column_used(static_cast<std::size_t>(n), false);
+  for (Index step = 0; step < std::min(a.rows(), n); ++step) {
+    Index row = -1, column = -1;
+    for (Index k = 0; k < n; ++k) {
+      for (Index i = 0; i < a.rows(); ++i) {
+        if (row_used[static_cast<std::size_t>(i)] || column_used[static_cast<std::size_t>(k)] || a(i, k) == 0) continue;
+        if (row < 0 || std::abs(a(i, k)) * root(column) > std::abs(a(row, column)) * root(k) ||
+            (root(k) == 0 && root(column) == 0 && std::abs(a(i, k)) > std::abs(a(row, column)))) {
+          row = i;
+          column = k;
+        }
+      }
+    }
+    if (row < 0) break;
+    row_used[static_cast<std::size_t>(row)] = column_used[static_cast<std::size_t>(column)] = true;
+    for (Index k = 0; k < n; ++k) {
+      if (column_used[static_cast<std::size_t>(k)] || a(row, k) == 0) continue;
+      const double factor = a(row, k) / a(row, column);
+      a.col(k) -= factor * a.col(column);
+      r.col(k) -= factor * r.col(column);
+      a(row, k) = 0;
+    }
+  }
+  return r;
 }
 
-// The given null vectors made orthonormal, within their groups.
-Matrix orthonormal_by_group(const NullBasis& basis, const NormalForm& form) {
-  if (!form.quadrature()) return orthonormal(basis.vectors);
-  const Index p = form.split;
-  const Index r = form.size() - p;
-  const Index second = basis.vectors.cols() - basis.first;
-  Matrix v = Matrix::Zero(form.size(), basis.vectors.cols());
-  v.topLeftCorner(p, basis.first) = orthonormal(basis.vectors.topLeftCorner(p, basis.first));
-  v.bottomRightCorner(r, second) = orthonormal(basis.vectors.bottomRightCorner(r, second));
-  return v;
+bool dominates(const Matrix& added, const Vector& weight) {
+  constexpr double large = 1e3;
+  for (Index k = 0; k < added.cols(); ++k) {
+    for (Index i = 0; i < added.rows(); ++i) {
+      if (std::abs(added(i, k)) > large * std::sqrt(weight(i) * weight(k))) return true;
+    }
+  }
+  return false;
 }
 
-double rounding_threshold(const NormalForm& form) {
-  const double scale = std::max(form.k.norm(), form.gamma.squaredNorm());
-  return 8 * static_cast<double>(form.size()) * std::numeric_limits<double>::epsilon() * scale;
+// What is below rounding of its terms is zero.
+void drop_rounding(Matrix& a, const Matrix& terms) {
+  const double zero = 8 * static_cast<double>(terms.rows() + terms.cols()) * std::numeric_limits<double>::epsilon();
+  for (Index k = 0; k < a.cols(); ++k) {
+    for (Index i = 0; i < a.rows(); ++i) {
+      if (std::abs(a(i, k)) <= zero * terms(i, k)) a(i, k) = 0;
+    }
+  }
+}
+
+// One step: the system without the directions N₀; `terms` of its stiffness follow.
+SingularSystem removed(const SingularSystem& s, Matrix n0, Matrix& terms, Deflation::Step& step) {
+  const Index n = s.size();
+  const std::vector<Index> pivots = pivots_of(n0);
+  std::vector<Index> rest;
+  Index split = s.split;
+  for (Index i = 0; i < n; ++i) {
+    if (std::find(pivots.begin(), pivots.end(), i) == pivots.end()) rest.push_back(i);
+    else if (s.split >= 0 && i < s.split) --split;
+  }
+  const Matrix m_n0 = multiply(s.mass, n0);
+  const Eigen::LLT<Matrix> m0(symmetric_part(multiply_tn(n0, m_n0)));
+  Matrix a = multiply_tn(n0, s.gyroscopic)(Eigen::all, rest);
+  drop_rounding(a, Matrix(n0.cwiseAbs().transpose() * s.gyroscopic.cwiseAbs())(Eigen::all, rest));
+  const Matrix k_part = s.stiffness(rest, rest);
+  Matrix e = Matrix::Zero(n, static_cast<Index>(rest.size()));
+  for (std::size_t i = 0; i < rest.size(); ++i) e(rest[i], static_cast<Index>(i)) = 1;
+  Matrix k = k_part;
+  Matrix k_terms = terms(rest, rest);
+  const Vector weight = own_weights(k_terms);
+  if (dominates(a.transpose() * m0.solve(a), weight)) {
+    const Matrix r = gathered(a, weight);
+    e = multiply(e, r);
+    k = congruence(r, k_part);
+    k_terms = congruence(r.cwiseAbs(), k_terms);
+  }
+  step.n0 = n0;
+  step.c = e - multiply(n0, m0.solve(multiply_tn(m_n0, e)));
+  step.rates = m0.solve(a);
+  const Matrix added = multiply_tn(a, step.rates);
+  terms = k_terms + a.cwiseAbs().transpose() * step.rates.cwiseAbs();
+  return {symmetric_part(congruence(step.c, s.mass)), skew_part(congruence(step.c, s.gyroscopic)), symmetric_part(k + added), split};
 }
 
 }  // namespace
 
-Index Deflation::negative_in(const Matrix& k) const { return normwise(k, threshold).negative; }
-
-Deflation deflate(NormalForm form, NullBasis basis) {
+Deflation deflate(SingularSystem system) {
   Deflation d;
-  d.threshold = rounding_threshold(form);
-  basis.vectors = orthonormal_by_group(basis, form);
+  Matrix terms = system.stiffness.cwiseAbs();
   for (;;) {  // every turn but the last removes at least one coordinate
-    const NullSplit null = split_null(form, basis);
-    if (null.n0.cols() == 0) {
-      d.negative = basis.negative;
-      d.gyroscopic_null = null.ng;
-      d.zero_pairs += null.ng.cols() / 2;
+    const Null null = null_of(system, terms);
+    const Split parts = split_null(system, null.vectors);
+    d.doubtful = d.doubtful || null.doubtful || parts.doubtful;
+    if (parts.n0.cols() == 0) {
+      d.negative_first = null.negative_first;
+      d.negative_second = null.negative_second;
+      d.gyroscopic_null = parts.ng;
+      d.zero_pairs += parts.ng.cols() / 2;
       break;
     }
-    Index split = form.split;
     Deflation::Step step;
-    step.n0 = null.n0;
-    step.c = complement(form, null.n0, split);
-    step.gamma_0c = lapack::multiply(lapack::multiply_tn(step.n0, form.gamma), step.c);
-    d.zero_pairs += null.n0.cols();
-    d.ignorable += null.n0.cols();
-    Matrix gamma = lapack::multiply_tn(step.c, lapack::multiply(form.gamma, step.c));
-    Matrix k = lapack::multiply_tn(step.c, lapack::multiply(form.k, step.c)) + lapack::gram(step.gamma_0c);
-    form = {0.5 * (gamma - gamma.transpose()), 0.5 * (k + k.transpose()), split};
+    d.zero_pairs += parts.n0.cols();
+    d.ignorable += parts.n0.cols();
+    system = removed(system, parts.n0, terms, step);
     d.steps.push_back(std::move(step));
-    if (form.size() == 0) break;
-    basis = null_basis(form, d.threshold);
+    if (system.size() == 0) {
+      d.gyroscopic_null.resize(0, 0);
+      break;
+    }
   }
-  d.reduced = std::move(form);
+  d.reduced = std::move(system);
   return d;
 }
 
 ComplexMatrix Deflation::expand(const ComplexMatrix& shapes, const ComplexVector& lambda) const {
   ComplexMatrix x = shapes;
   for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    const ComplexMatrix a = -(step->gamma_0c * x) * lambda.cwiseInverse().asDiagonal();
+    const ComplexMatrix a = -(step->rates * x) * lambda.cwiseInverse().asDiagonal();
     x = (step->c * x + step->n0 * a).eval();
   }
   return x;

@@ -1,60 +1,192 @@
 #include "gyromode/dense/impedance.h"
 
 #include "gyromode/dense/solve.h"
+#include "gyromode/structure/ranked_factor.h"
+#include "gyromode/system/promise.h"
 #include "gyromode/system/scale.h"
+
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
 
 namespace gyromode {
 
-Impedance::Impedance(const System& system, const dense::Spectrum& s) : second_order_(true) {
-  take(system.mass(), system.gyroscopic(), &system.stiffness(), s);
+Impedance::Impedance(const System& system, const dense::Spectrum& s) : Impedance(s.order, s.split, true) {
+  take(system.mass(), system.gyroscopic(), &system.stiffness(), false);
 }
 
-Impedance::Impedance(const FirstOrderSystem& system, const dense::Spectrum& s) : second_order_(false) {
-  take(system.inertia(), system.gyroscopic(), nullptr, s);
+Impedance::Impedance(const FirstOrderSystem& system, const dense::Spectrum& s) : Impedance(s.order, s.split, false) {
+  take(system.inertia(), system.gyroscopic(), nullptr, false);
 }
 
-void Impedance::take(const Matrix& mass, const Matrix& gyroscopic, const Matrix* stiffness, const dense::Spectrum& s) {
-  n_ = s.size();
-  split_ = s.split;
-  const std::vector<Index> real(s.order.begin(), split_ < 0 ? s.order.end() : s.order.begin() + split_);
-  const std::vector<Index> imaginary = split_ < 0 ? real : std::vector<Index>(s.order.begin() + split_, s.order.end());
+Impedance Impedance::natural(const System& system, std::vector<Index> order, Index split) {
+  Impedance h(std::move(order), split, true);
+  h.take(system.mass(), system.gyroscopic(), &system.stiffness(), true);
+  return h;
+}
+
+Impedance Impedance::natural(const FirstOrderSystem& system, std::vector<Index> order, Index split) {
+  Impedance h(std::move(order), split, false);
+  h.take(system.inertia(), system.gyroscopic(), nullptr, true);
+  return h;
+}
+
+void Impedance::take(const Matrix& mass, const Matrix& gyroscopic, const Matrix* stiffness, bool natural) {
+  const std::vector<Index> real(order_.begin(), split_ < 0 ? order_.end() : order_.begin() + split_);
+  const std::vector<Index> imaginary = split_ < 0 ? real : std::vector<Index>(order_.begin() + split_, order_.end());
   m_rr_ = dense::restricted(mass, real, real);
   g_ri_ = dense::restricted(gyroscopic, real, imaginary);
   k_rr_ = stiffness ? dense::restricted(*stiffness, real, real) : Matrix::Zero(m_rr_.rows(), m_rr_.rows());
+  if (split_ >= 0) {
+    m_ii_ = dense::restricted(mass, imaginary, imaginary);
+    k_ii_ = stiffness ? dense::restricted(*stiffness, imaginary, imaginary) : Matrix::Zero(m_ii_.rows(), m_ii_.rows());
+  }
+  units_ = Units::given(size());
+  measure_norms();
+  given_k_ = norm_k_;
+  given_g_ = norm_g_;
+  given_m_ = norm_m_;
+  if (natural) change_units(stiffness == nullptr);
+  weigh();
+}
+
+void Impedance::change_units(bool first_order) {
+  Vector diagonal(size());
+  diagonal << m_rr_.diagonal(), m_ii_.diagonal();
+  units_ = natural_units(diagonal, k_rr_, k_ii_, g_ri_, quadrature());
+  const Index p = m_rr_.rows();
+  const Vector rows = units_.coordinate.head(p);
+  const Vector columns = quadrature() ? Vector(units_.coordinate.tail(size() - p)) : rows;
+  const double time = units_.time;
+  m_rr_ = in_units(m_rr_, rows, rows, 1);
+  g_ri_ = in_units(g_ri_, rows, columns, time);
+  if (!first_order) k_rr_ = in_units(k_rr_, rows, rows, time * time);
+  if (quadrature()) {
+    m_ii_ = in_units(m_ii_, columns, columns, 1);
+    if (!first_order) k_ii_ = in_units(k_ii_, columns, columns, time * time);
+  }
+  given_k_ = given_k_ * time * time;
+  given_g_ = given_g_ * time;
+  measure_norms();
+}
+
+void Impedance::measure_norms() {
   norm_m_ = norm1(m_rr_);
   norm_k_ = norm1(k_rr_);
   norm_g_ = norm1(g_ri_);
-  if (split_ < 0) return;
-  m_ii_ = dense::restricted(mass, imaginary, imaginary);
-  k_ii_ = stiffness ? dense::restricted(*stiffness, imaginary, imaginary) : Matrix::Zero(m_ii_.rows(), m_ii_.rows());
+  if (!quadrature()) return;
   norm_m_ = std::max(norm_m_, norm1(m_ii_));
   norm_k_ = std::max(norm_k_, norm1(k_ii_));
   norm_g_ = std::max(norm_g_, norm1(Matrix(g_ri_.transpose())));
 }
 
+void Impedance::weigh() {
+  weight_k_.resize(size());
+  weight_m_.resize(size());
+  weight_g_.resize(size());
+  if (quadrature()) {
+    weight_k_ << own_weights(k_rr_), own_weights(k_ii_);
+    weight_m_ << m_rr_.diagonal(), m_ii_.diagonal();
+    const auto [rows, columns] = own_weights_of_coupling(g_ri_);
+    weight_g_ << rows, columns;
+  } else {
+    weight_k_ = own_weights(k_rr_);
+    weight_m_ = m_rr_.diagonal();
+    weight_g_ = own_weights(g_ri_);
+  }
+}
+
+std::optional<Impedance> Impedance::with_null_coordinates() const {
+  const RankedFactor one = ranked_factor(k_rr_), two = ranked_factor(k_ii_);
+  if (one.zero() + two.zero() == 0) return std::nullopt;
+  const auto basis = [](const RankedFactor& f, Index n) {
+    Matrix b = Matrix::Identity(n, n);
+    for (std::size_t k = 0; k < f.free.size(); ++k) b.col(f.free[k]) = f.null_space.col(static_cast<Index>(k));
+    return b;
+  };
+  const auto without_rows = [](Matrix k, const RankedFactor& f) {
+    for (const Index i : f.free) {
+      k.row(i).setZero();
+      k.col(i).setZero();
+    }
+    return k;
+  };
+  const Index p = k_rr_.rows();
+  const Matrix b1 = basis(one, p), b2 = quadrature() ? basis(two, size() - p) : b1;
+  Impedance h = *this;
+  h.k_rr_ = without_rows(k_rr_, one);
+  h.m_rr_ = symmetric_part(b1.transpose() * m_rr_ * b1);
+  h.g_ri_ = b1.transpose() * g_ri_ * b2;
+  if (quadrature()) {
+    h.k_ii_ = without_rows(k_ii_, two);
+    h.m_ii_ = symmetric_part(b2.transpose() * m_ii_ * b2);
+  } else {
+    h.g_ri_ = skew_part(h.g_ri_);
+  }
+  h.basis_ = Matrix::Identity(size(), size());
+  h.basis_.topLeftCorner(p, p) = b1;
+  if (quadrature()) h.basis_.bottomRightCorner(size() - p, size() - p) = b2;
+  const Units outer = units_;
+  h.change_units(false);
+  h.basis_ = (h.basis_ * h.units_.coordinate.asDiagonal()).eval();
+  h.units_ = {outer.coordinate, outer.time * h.units_.time};
+  h.weigh();
+  return h;
+}
+
+double Impedance::given_residual(const ComplexVector& r, const ComplexVector& x, double omega) const {
+  const auto d = units_.coordinate.cast<Complex>();
+  if (basis_.size() == 0) return r.cwiseQuotient(d).norm() / (given_scale(omega) * x.cwiseProduct(d).norm());
+  const ComplexVector image = basis_.transpose().partialPivLu().solve(r.real()).cast<Complex>() + Complex(0, 1) * basis_.transpose().partialPivLu().solve(r.imag()).cast<Complex>();
+  return image.cwiseQuotient(d).norm() / (given_scale(omega) * (basis_ * x).cwiseProduct(d).norm());
+}
+
+void Impedance::to_given(dense::Spectrum& s) const {
+  if (basis_.size() > 0) {
+    const Index p = split_ < 0 ? size() : split_;
+    const Index r = size() - p;
+    s.re = (basis_.topLeftCorner(p, p) * s.re).eval();
+    s.im = split_ < 0 ? Matrix(basis_ * s.im) : Matrix(basis_.bottomRightCorner(r, r) * s.im);
+    s.zero_shapes = (basis_ * s.zero_shapes).eval();
+    if (s.unstable.count() > 0) {
+      s.unstable.right = (basis_ * s.unstable.right).eval();
+      s.unstable.left = (basis_ * s.unstable.left).eval();
+    }
+  }
+  s.to_given_units(units_);
+}
+
+Matrix Impedance::own_shapes(const Matrix& given) const {
+  const Matrix shapes = units_.coordinate.cwiseInverse().asDiagonal() * given;
+  return basis_.size() == 0 ? shapes : Matrix(basis_.partialPivLu().solve(shapes));
+}
+
 double Impedance::typical_frequency() const { return std::max(std::sqrt(norm_k_ / norm_m_), norm_g_ / norm_m_); }
 
-double Impedance::scale(double omega) const {
-  return second_order_ ? norm_k_ + omega * (norm_g_ + omega * norm_m_) : omega * norm_m_ + norm_g_;
+double Impedance::scale(double omega) const { return second_order_ ? norm_k_ + omega * (norm_g_ + omega * norm_m_) : omega * norm_m_ + norm_g_; }
+double Impedance::given_scale(double omega) const { return second_order_ ? given_k_ + omega * (given_g_ + omega * given_m_) : omega * given_m_ + given_g_; }
+
+Vector Impedance::weight(double omega) const {
+  return second_order_ ? Vector(weight_k_ + omega * (weight_g_ + omega * weight_m_)) : Vector(weight_g_ + omega * weight_m_);
 }
+double Impedance::own_scale(double omega, const Eigen::Ref<const Vector>& size2) const { return weight(omega).dot(size2); }
 
 // [on_k K₁ + on_m M₁, on_g B; ·, on_k K₂ + on_m M₂]
 Matrix Impedance::star(double on_k, double on_m, double on_g) const {
   const Index p = m_rr_.rows();
-  Matrix h(n_, n_);
+  const Index n = size();
+  Matrix h(n, n);
   h.topLeftCorner(p, p) = on_k * k_rr_ + on_m * m_rr_;
-  h.bottomRightCorner(n_ - p, n_ - p) = on_k * k_ii_ + on_m * m_ii_;
-  h.topRightCorner(p, n_ - p) = on_g * g_ri_;
-  h.bottomLeftCorner(n_ - p, p) = on_g * g_ri_.transpose();
+  h.bottomRightCorner(n - p, n - p) = on_k * k_ii_ + on_m * m_ii_;
+  h.topRightCorner(p, n - p) = on_g * g_ri_;
+  h.bottomLeftCorner(n - p, p) = on_g * g_ri_.transpose();
   return h;
 }
 
 // on_k K + on_m M + j on_g G
 ComplexMatrix Impedance::hermitian(double on_k, double on_m, double on_g) const {
-  ComplexMatrix h(n_, n_);
+  ComplexMatrix h(size(), size());
   h.real() = on_k * k_rr_ + on_m * m_rr_;
   h.imag() = on_g * g_ri_;
   return h;
@@ -68,8 +200,8 @@ ComplexMatrix Impedance::complex_slope_at(double omega) const { return second_or
 
 ComplexMatrix Impedance::combined(Complex on_k, Complex on_g, Complex on_m) const {
   if (!quadrature()) return on_k * k_rr_ + on_g * g_ri_ + on_m * m_rr_;
-  const Index r = n_ - split_;
-  ComplexMatrix a(n_, n_);
+  const Index r = size() - split_;
+  ComplexMatrix a(size(), size());
   a.topLeftCorner(split_, split_) = on_k * k_rr_ + on_m * m_rr_;
   a.bottomRightCorner(r, r) = on_k * k_ii_ + on_m * m_ii_;
   a.topRightCorner(split_, r) = on_g * g_ri_;
@@ -83,7 +215,7 @@ ComplexMatrix Impedance::characteristic_slope_at(Complex lambda) const { return 
 ComplexMatrix Impedance::form(const ComplexMatrix& x, double omega) const {
   if (!quadrature()) return x.adjoint() * (complex_slope_at(omega) * x);
   ComplexMatrix star = x;  // X* = T⁻¹X
-  star.bottomRows(n_ - split_) *= Complex(0, 1);
+  star.bottomRows(size() - split_) *= Complex(0, 1);
   return star.adjoint() * (real_slope_at(omega) * star);
 }
 
@@ -91,6 +223,17 @@ Index Impedance::half_rank_of_gyroscopic() const {
   return quadrature() ? clearly_negative(star(0, 0, -1)) : clearly_negative(hermitian(0, 0, -1));
 }
 
-Inertia Impedance::negative_at(double omega) const { return quadrature() ? inertia(real_at(omega)) : inertia(complex_at(omega)); }
+// Above ω = 1 the impedance over ω² (over ω in first order), which has the same inertia and does not overflow.
+Inertia Impedance::negative_at(double omega) const {
+  const bool large = omega > 1;
+  const double inverse = 1 / omega;
+  const double on_k = !second_order_ ? 0 : large ? inverse * inverse : 1;
+  const double on_m = second_order_ ? (large ? -1 : -omega * omega) : (large ? 1 : omega);
+  const double on_g = second_order_ ? (large ? inverse : omega) : (large ? -inverse : -1);
+  // The terms of every row near 1, by powers of two: what is small beside them is their rounding.
+  const Vector terms = on_k * weight_k_ + std::abs(on_g) * weight_g_ + std::abs(on_m) * weight_m_;
+  const Vector d = terms.unaryExpr([](double w) { return w > 0 ? power_of_two_near(1 / std::sqrt(w)) : 1; });
+  return quadrature() ? inertia_of_sum(scaled(star(on_k, on_m, on_g), d)) : inertia_of_sum(scaled(hermitian(on_k, on_m, on_g), d));
+}
 
 }  // namespace gyromode

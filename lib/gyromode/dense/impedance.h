@@ -4,17 +4,35 @@
 #include "gyromode/dense/spectrum.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/system.h"
+#include "gyromode/system/units.h"
+
+#include <optional>
 
 namespace gyromode {
 
 /// The impedance matrix of one component in the order of its Spectrum: H(ω) = K − ω²M + jωG, or H₁(ω) = ωI − jG in first order. With a partition
 /// everything is real: H* = T⁻¹HT, T = diag(1, −j) (Boland & Janssens 1979, Eqs. 10–12).
+///
+/// Matrices, shapes and frequencies are in the units of the component (units()): natural ones, or those given.
 class Impedance {
  public:
+  /// In the units given.
   Impedance(const System& system, const dense::Spectrum& s);
   Impedance(const FirstOrderSystem& system, const dense::Spectrum& s);
+  /// The coordinates `order` of the system (with a partition the first `split` in phase, else −1) in their natural units.
+  static Impedance natural(const System& system, std::vector<Index> order, Index split);
+  static Impedance natural(const FirstOrderSystem& system, std::vector<Index> order, Index split);
 
-  Index size() const { return n_; }
+  /// The same system in coordinates whose last word on null(K) is exact: q = D B q̂, B unit triangular up to order, its columns for the free coordinates (RankedFactor) spanning null(K), so that K̂ has rows of exact zeros
+  /// there. H(ω) is then known to full relative accuracy in every direction, however small ω and however graded K. Nothing where K is regular. Costs some products; order up to a few hundred.
+  std::optional<Impedance> with_null_coordinates() const;
+
+  Index size() const { return static_cast<Index>(order_.size()); }
+  const std::vector<Index>& order() const { return order_; }
+  Index split() const { return split_; }
+  const Units& units() const { return units_; }
+  /// Whether units are all that the coordinates differ in from those given.
+  bool plain_coordinates() const { return basis_.size() == 0; }
   bool quadrature() const { return split_ >= 0; }
   bool second_order() const { return second_order_; }
 
@@ -35,14 +53,26 @@ class Impedance {
   /// First order only: n₋(H₁(0⁺)) = ½ rank G, from the eigenvalues of −jG (its real form −B, −Bᵀ with a partition); those up to 8 n ε of the largest are zero.
   Index half_rank_of_gyroscopic() const;
 
-  /// n₋(H(ω)), ω > 0, from the real symmetric H* where there is a partition, else from the Hermitian H.
+  /// n₋(H(ω)), ω > 0, from the real symmetric H* where there is a partition, else from the Hermitian H. No ω is too large or too small for it.
   Inertia negative_at(double omega) const;
 
   /// A frequency of the size of the largest: max(√(‖K‖/‖M‖), ‖G‖/‖M‖).
   double typical_frequency() const;
 
-  /// ‖K‖ + ω‖G‖ + ω²‖M‖ in 1-norms (‖G‖ + ω‖I‖ in first order): what residuals are relative to.
+  /// ‖K‖ + ω‖G‖ + ω²‖M‖ in 1-norms (‖G‖ + ω‖I‖ in first order) of the matrices in the units of the component, and in the units given: what reported residuals are relative to.
   double scale(double omega) const;
+  double given_scale(double omega) const;
+  /// ‖r‖/(given_scale(ω)‖x‖) in the units and coordinates given, for r = H(ω)x (n, complex) in those of the component.
+  double given_residual(const ComplexVector& r, const ComplexVector& x, double omega) const;
+  /// `s`, found in the units and coordinates of the component, in those given; and the zero shapes the other way round.
+  void to_given(dense::Spectrum& s) const;
+  Matrix own_shapes(const Matrix& given) const;
+
+  /// Entry by entry |K_ik| ≤ √(κ_i κ_k), with equality up to a factor of two somewhere in each row; likewise for G and M. weight_i(ω) = κ_i + ωg_i + ω²m_i (g_i + ωm_i in first order): a backward error
+  /// of η in every coefficient, each in its own scale, changes xᴴHx by at most about η Σ weight_i |x_i|². Changes of units leave it as it is.
+  Vector weight(double omega) const;
+  /// Σ weight_i(ω) |x_i|² for one shape X = re + j im in the order of the Spectrum.
+  double own_scale(double omega, const Eigen::Ref<const Vector>& size2) const;
 
   /// The three real symmetric or skew matrices, restricted to the rows that carry the real (r) and the imaginary (i) parts of a shape. Without a partition
   /// both are all rows.
@@ -53,16 +83,24 @@ class Impedance {
   const Matrix& gyroscopic_ri() const { return g_ri_; }
 
  private:
+  Impedance(std::vector<Index> order, Index split, bool second_order) : order_(std::move(order)), split_(split), second_order_(second_order) {}
   Matrix star(double on_k, double on_m, double on_g) const;
   ComplexMatrix hermitian(double on_k, double on_m, double on_g) const;
   ComplexMatrix combined(Complex on_k, Complex on_g, Complex on_m) const;
-  void take(const Matrix& mass, const Matrix& gyroscopic, const Matrix* stiffness, const dense::Spectrum& s);
+  void take(const Matrix& mass, const Matrix& gyroscopic, const Matrix* stiffness, bool natural);
+  void change_units(bool first_order);
+  void measure_norms();
+  void weigh();
 
-  Index n_ = 0;
+  std::vector<Index> order_;
   Index split_ = -1;
   bool second_order_ = true;
+  Units units_;
+  Matrix basis_;  // B, n × n, empty where it is 1
   Matrix k_rr_, k_ii_, m_rr_, m_ii_, g_ri_;
   double norm_k_ = 0, norm_g_ = 0, norm_m_ = 0;
+  double given_k_ = 0, given_g_ = 0, given_m_ = 0;  // of the matrices given, in the component's unit of time
+  Vector weight_k_, weight_g_, weight_m_;
 };
 
 }  // namespace gyromode

@@ -1,7 +1,6 @@
 #include "gyromode/dense/indefinite.h"
 
 #include "gyromode/dense/even_pencil.h"
-#include "gyromode/lapack/general.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/triangular.h"
 
@@ -18,12 +17,8 @@ IndefiniteModes collected(Index n, const std::vector<EvenRoot>& roots, double ga
   for (const EvenRoot& r : roots) {
     if (r.lambda.real() == 0) {
       if (r.lambda.imag() > 0) vibrations.push_back(&r);
-    } else if (r.lambda.imag() == 0) {
-      modes.divergence.push_back(r.lambda.real() * gamma);
     } else {
-      modes.flutter.push_back(r.lambda * gamma);
-      modes.flutter_shapes.conservativeResize(n, modes.flutter_shapes.cols() + 1);
-      modes.flutter_shapes.rightCols(1) = r.w.head(n);
+      modes.unstable.add(r.lambda * gamma, r.w.head(n), r.left.head(n));
     }
   }
   std::sort(vibrations.begin(), vibrations.end(), [](const EvenRoot* a, const EvenRoot* b) { return a->lambda.imag() < b->lambda.imag(); });
@@ -43,27 +38,7 @@ double time_scale(const NormalForm& form) {
   return g > 0 ? g : 1;
 }
 
-EvenPencil even_pencil(const NormalForm& form, double gamma) {
-  const Index n = form.size();
-  EvenPencil p{Matrix::Zero(2 * n, 2 * n), Matrix::Zero(2 * n, 2 * n)};
-  p.s.topLeftCorner(n, n) = form.gamma / gamma;
-  p.s.topRightCorner(n, n).setIdentity();
-  p.s.bottomLeftCorner(n, n) = -Matrix::Identity(n, n);
-  // time in units of 1/γ: 𝓔/γ
-  p.e.topLeftCorner(n, n) = form.k / (gamma * gamma);
-  p.e.bottomRightCorner(n, n).setIdentity();
-  return p;
-}
-
-// [0 1; −k −Γ] in units of γ.
-Matrix companion(const NormalForm& form, double gamma) {
-  const Index n = form.size();
-  Matrix a = Matrix::Zero(2 * n, 2 * n);
-  a.topRightCorner(n, n).setIdentity();
-  a.bottomLeftCorner(n, n) = -form.k / (gamma * gamma);
-  a.bottomRightCorner(n, n) = -form.gamma / gamma;
-  return a;
-}
+EvenPencil even_pencil(const NormalForm& form, double gamma) { return EvenPencil::of_second_order(form.gamma / gamma, form.k / (gamma * gamma)); }
 
 }  // namespace
 
@@ -72,17 +47,20 @@ IndefiniteModes indefinite_modes(const NormalForm& form, const Matrix& gyroscopi
   const double gamma = time_scale(form);
   const EvenPencil p = even_pencil(form, gamma);
   if (gyroscopic_null.cols() == 0) {
-    const auto e = lapack::general_eigen(companion(form, gamma));
+    const auto e = p.plain_eigen();
     return collected(n, roots_of(p, e.values, e.vectors), gamma);
   }
   // 𝓔(N_g, 0) = 0, so (N_g, 0)ᵀ𝒮w is constant, and zero in every motion with λ ≠ 0: those live in the complement of 𝒮(N_g, 0).
   Matrix null = Matrix::Zero(2 * n, gyroscopic_null.cols());
   null.topRows(n) = gyroscopic_null;
-  const Matrix v = lapack::orthogonal_completion(lapack::multiply(p.s, null)).rightCols(2 * n - null.cols());
-  const EvenPencil regular = projected(p, v);
-  const auto e = plain_eigen(regular);
+  const Matrix v = lapack::orthogonal_completion(p.s_times(null)).rightCols(2 * n - null.cols());
+  const EvenPencil regular = p.projected(v);
+  const auto e = regular.plain_eigen();
   auto roots = roots_of(regular, e.values, e.vectors);
-  for (EvenRoot& r : roots) r.w = (v * r.w).eval();
+  for (EvenRoot& r : roots) {
+    r.w = (v * r.w).eval();
+    if (r.left.size() > 0) r.left = (v * r.left).eval();
+  }
   return collected(n, roots, gamma);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gyromode/dense/normal_form.h"
+#include "gyromode/dense/unstable_roots.h"
 
 #include <vector>
 
@@ -10,9 +11,7 @@ namespace gyromode::dense {
 struct IndefiniteModes {
   Vector omega;                      ///< undamped modes, ω > 0 ascending, exactly undamped
   ComplexMatrix shapes;              ///< n × m
-  std::vector<double> divergence;    ///< σ > 0 of pairs ±σ
-  std::vector<Complex> flutter;      ///< σ + jω, σ, ω > 0, of quadruples ±σ ± jω
-  ComplexMatrix flutter_shapes;      ///< n × quadruples
+  UnstableRoots unstable;
 };
 
 /// All roots of z̈ + Γż + kz = 0, k symmetric and indefinite, with the Hamiltonian structure kept (theory §3c).

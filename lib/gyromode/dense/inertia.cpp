@@ -12,15 +12,14 @@ namespace gyromode {
 namespace {
 
 template <class AnyMatrix>
-Inertia by_pivots(const AnyMatrix& a) {
-  if (a.rows() == 0) return {};
-  const AnyMatrix equilibrated = scaled(a, equilibrating_scale(a));
+Inertia by_pivots(const AnyMatrix& equilibrated, double terms) {
+  if (equilibrated.rows() == 0) return {};
   const auto factor = lapack::factor_indefinite(equilibrated);
   const Vector d = lapack::pivot_values(factor);
   Inertia result;
   result.negative = (d.array() < 0).count();
   result.positive = (d.array() > 0).count();
-  const double largest = d.cwiseAbs().maxCoeff();
+  const double largest = std::max(d.cwiseAbs().maxCoeff(), terms);
   const double smallest = d.cwiseAbs().minCoeff();
   result.margin = smallest > 0 ? std::min(smallest / largest, lapack::reciprocal_condition(factor, norm1(equilibrated))) : 0;
   return result;
@@ -51,7 +50,9 @@ bool Inertia::doubtful() const {
   return !(margin > 8 * n * std::numeric_limits<double>::epsilon());
 }
 
-Inertia inertia(const Matrix& symmetric) { return by_pivots(symmetric); }
-Inertia inertia(const ComplexMatrix& hermitian) { return by_pivots(hermitian); }
+Inertia inertia(const Matrix& symmetric) { return by_pivots(scaled(symmetric, equilibrating_scale(symmetric)), 0); }
+Inertia inertia(const ComplexMatrix& hermitian) { return by_pivots(scaled(hermitian, equilibrating_scale(hermitian)), 0); }
+Inertia inertia_of_sum(const Matrix& symmetric) { return by_pivots(symmetric, 1); }
+Inertia inertia_of_sum(const ComplexMatrix& hermitian) { return by_pivots(hermitian, 1); }
 
 }  // namespace gyromode

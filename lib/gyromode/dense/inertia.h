@@ -8,7 +8,7 @@ namespace gyromode {
 struct Inertia {
   Index negative = 0;
   Index positive = 0;
-  /// After equilibration, the lesser of smallest over largest |eigenvalue of D| and the reciprocal condition (1-norm).
+  /// After equilibration, the lesser of smallest over largest |eigenvalue of D| and the reciprocal condition (1-norm); of a sum of terms the largest is not less than 1.
   double margin = 1;
 
   /// A backward error of 8 n ε could move an eigenvalue through zero: the matrix is singular to rounding, and the count may be off by the number
@@ -20,6 +20,10 @@ struct Inertia {
 /// factorisation without 2 × 2 pivots returns wrong counts.
 Inertia inertia(const Matrix& symmetric);
 Inertia inertia(const ComplexMatrix& hermitian);
+
+/// The same of a matrix whose entries are sums of terms, scaled so that the largest term of every row is near 1: what is small beside that is rounding of the terms.
+Inertia inertia_of_sum(const Matrix& symmetric);
+Inertia inertia_of_sum(const ComplexMatrix& hermitian);
 
 /// Eigenvalues of the equilibrated matrix below −8 n ε of the largest: n₋ of a matrix that may be singular. Costs an eigenvalue computation.
 Index clearly_negative(const Matrix& symmetric);

@@ -43,12 +43,23 @@ void MassNormal::to_physical(MatrixSpan z) const {
 }
 
 void MassNormal::to_physical(ComplexMatrix& z) const {
+  if (z.cols() == 0) return;  // of no rows, where there are none
   Matrix re = z.real();
   Matrix im = z.imag();
   to_physical(re);
   to_physical(im);
   z.real() = re;
   z.imag() = im;
+}
+
+void MassNormal::to_physical(UnstableRoots& roots) const {
+  to_physical(roots.right);
+  to_physical(roots.left);
+}
+
+void MassNormalGroups::to_physical(UnstableRoots& roots) const {
+  to_physical(roots.right);
+  to_physical(roots.left);
 }
 
 void MassNormal::to_normal(MatrixSpan q) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/dense/unstable_roots.h"
 #include "gyromode/lapack/types.h"
 
 #include <utility>
@@ -28,6 +29,7 @@ class MassNormal {
   /// z := D L⁻ᵀ z, columns from normal to physical coordinates.
   void to_physical(MatrixSpan z) const;
   void to_physical(ComplexMatrix& z) const;
+  void to_physical(UnstableRoots& roots) const;
   /// q := Lᵀ D⁻¹ q, the reverse.
   void to_normal(MatrixSpan q) const;
 
@@ -43,6 +45,7 @@ class MassNormalGroups {
 
   /// Columns of all rows from normal to physical coordinates, and back.
   void to_physical(ComplexMatrix& z) const;
+  void to_physical(UnstableRoots& roots) const;
   void to_normal(Matrix& q) const;
 
  private:

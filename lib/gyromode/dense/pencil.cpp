@@ -27,9 +27,30 @@ std::vector<PencilRoot> definite_pencil(const ComplexMatrix& a, const HermitianE
   return roots;
 }
 
-// The roots of a self-adjoint pencil are real or in conjugate pairs. Each computed μ is matched with the nearest conjugate of another one; where that is
-// nearer than its own, the two are made a pair, else μ is made real.
-ComplexVector paired(const ComplexVector& computed) {
+std::vector<PencilRoot> indefinite_pencil(const ComplexMatrix& a, const ComplexMatrix& b) {
+  const Index n = a.rows();
+  const Eigen::PartialPivLU<ComplexMatrix> lu(b);
+  const ComplexMatrix standard = lu.solve(a);
+  if (!standard.allFinite()) return {};
+  const auto e = lapack::general_eigen(standard);
+  const ComplexVector values = conjugate_pairs(e.values);  // the roots of a self-adjoint pencil are real or in conjugate pairs
+  std::vector<PencilRoot> roots;
+  for (Index k = 0; k < n; ++k) {
+    const ComplexVector y = e.vectors.col(k);
+    // The vector of the mirrored root μ̄ is the left vector of μ: the partner is the column with the largest |y₋ᴴ B y|.
+    const ComplexVector by = b * y;
+    double partner = 0;
+    for (Index i = 0; i < n; ++i) partner = std::max(partner, std::abs(e.vectors.col(i).dot(by)));
+    const double own = std::real(y.dot(by));
+    const bool on_axis = values(k).imag() == 0;
+    roots.push_back({values(k), y, on_axis ? own : partner});
+  }
+  return roots;
+}
+
+}  // namespace
+
+ComplexVector conjugate_pairs(const ComplexVector& computed) {
   ComplexVector values = computed;
   std::vector<bool> taken(static_cast<std::size_t>(values.size()), false);
   for (Index k = 0; k < values.size(); ++k) {
@@ -52,29 +73,6 @@ ComplexVector paired(const ComplexVector& computed) {
   }
   return values;
 }
-
-std::vector<PencilRoot> indefinite_pencil(const ComplexMatrix& a, const ComplexMatrix& b) {
-  const Index n = a.rows();
-  const Eigen::PartialPivLU<ComplexMatrix> lu(b);
-  const ComplexMatrix standard = lu.solve(a);
-  if (!standard.allFinite()) return {};
-  const auto e = lapack::general_eigen(standard);
-  const ComplexVector values = paired(e.values);
-  std::vector<PencilRoot> roots;
-  for (Index k = 0; k < n; ++k) {
-    const ComplexVector y = e.vectors.col(k);
-    // The vector of the mirrored root μ̄ is the left vector of μ: the partner is the column with the largest |y₋ᴴ B y|.
-    const ComplexVector by = b * y;
-    double partner = 0;
-    for (Index i = 0; i < n; ++i) partner = std::max(partner, std::abs(e.vectors.col(i).dot(by)));
-    const double own = std::real(y.dot(by));
-    const bool on_axis = values(k).imag() == 0;
-    roots.push_back({values(k), y, on_axis ? own : partner});
-  }
-  return roots;
-}
-
-}  // namespace
 
 std::vector<PencilRoot> self_adjoint_pencil(const ComplexMatrix& a, const ComplexMatrix& b) {
   const HermitianEigen eb(b);

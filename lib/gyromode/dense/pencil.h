@@ -18,4 +18,8 @@ struct PencilRoot {
 /// the group is defective, and nothing can be said from it.
 std::vector<PencilRoot> self_adjoint_pencil(const ComplexMatrix& a, const ComplexMatrix& b);
 
+/// Values of which rounding has spoilt that they are real or in conjugate pairs: each is matched with the nearest conjugate of another one; where that is nearer than its own, the two are made a pair, else it is
+/// made real.
+ComplexVector conjugate_pairs(const ComplexVector& computed);
+
 }  // namespace gyromode::dense

@@ -18,15 +18,18 @@ QuadratureModes collected(const QuadratureForm& form, const std::vector<ProductR
   std::vector<const ProductRoot*> vibrations;
   for (const ProductRoot& root : roots) {
     if (root.mu.imag() == 0 && root.mu.real() > 0) vibrations.push_back(&root);
-    if (root.mu.imag() == 0 && root.mu.real() < 0) modes.divergence.push_back(std::sqrt(-root.mu.real()));
+    if (root.mu.imag() == 0 && root.mu.real() < 0) {
+      const double sigma = std::sqrt(-root.mu.real());
+      ComplexVector shape = root.u;  // (x, ẏ), ẏ = σy
+      shape.tail(r) /= sigma;
+      add_reversible(modes.unstable, sigma, shape, p);
+    }
     if (root.mu.imag() > 0) {  // λ² = −μ and −μ̄: one quadruple. Its λ = σ + jω with σ, ω > 0 has λ² = −μ̄, so the vector ū
       const Complex frequency = std::sqrt(root.mu);  // ω + jσ
       const Complex lambda(frequency.imag(), frequency.real());
-      modes.flutter.push_back(lambda);
       ComplexVector shape = root.u.conjugate();  // (x, ẏ), ẏ = λy
       shape.tail(r) /= lambda;
-      modes.flutter_shapes.conservativeResize(p + r, modes.flutter_shapes.cols() + 1);
-      modes.flutter_shapes.rightCols(1) = shape;
+      add_reversible(modes.unstable, lambda, shape, p);
     }
   }
   std::sort(vibrations.begin(), vibrations.end(), [](const ProductRoot* a, const ProductRoot* b) { return a->mu.real() < b->mu.real(); });
@@ -107,8 +110,7 @@ double time_scale(const QuadratureForm& form) {
 
 QuadratureModes in_units_of(double gamma, QuadratureModes modes) {
   modes.omega *= gamma;
-  for (double& sigma : modes.divergence) sigma *= gamma;
-  for (Complex& lambda : modes.flutter) lambda *= gamma;
+  for (Complex& lambda : modes.unstable.lambda) lambda *= gamma;
   return modes;
 }
 

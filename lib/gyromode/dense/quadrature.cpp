@@ -32,7 +32,22 @@ Matrix displacement(const QuadratureForm& form, const MatrixView& s, const Matri
 QuadratureModes recovered(const QuadratureForm& form, const Vector& omega, const MatrixView& v) {
   const Index q = form.first.root().cols();
   const MatrixView w = v.bottomRows(v.rows() - q);
-  return {omega, displacement(form, v.topRows(q), w, omega), w * omega.cwiseInverse().asDiagonal(), {}, {}, {}, {}};
+  return {omega, displacement(form, v.topRows(q), w, omega), w * omega.cwiseInverse().asDiagonal(), {}, {}};
+}
+
+// Divergence, W(s, w) = −σ²(s, w): x = −(f s + b w)/σ², y = w/σ, each column of v one pair.
+UnstableRoots divergent(const QuadratureForm& form, const Vector& sigma, const MatrixView& v) {
+  const Matrix& f = form.first.root();
+  const Index q = f.cols();
+  Matrix x = lapack::multiply(f, v.topRows(q));
+  lapack::multiply_into(x, 1, form.b, false, v.bottomRows(v.rows() - q), false, 1);
+  UnstableRoots roots;
+  for (Index k = 0; k < sigma.size(); ++k) {
+    ComplexVector right(x.rows() + v.rows() - q);
+    right << (-x.col(k) / (sigma(k) * sigma(k))).cast<Complex>(), (v.col(k).tail(v.rows() - q) / sigma(k)).cast<Complex>();
+    add_reversible(roots, sigma(k), right, x.rows());
+  }
+  return roots;
 }
 
 // W = [f b]ᵀ[f b] + diag(0, k₂), its lower triangle.
@@ -103,7 +118,7 @@ QuadratureModes by_w(const QuadratureForm& form) {
   const Index m = e.values.size() - unstable;
   QuadratureModes modes = recovered(form, e.values.tail(m).cwiseSqrt(), e.vectors.rightCols(m));
   if (alternative && !accurate(modes, norm_w, norm_k)) return by_singular_values(form);
-  for (Index i = 0; i < unstable; ++i) modes.divergence.push_back(std::sqrt(-e.values(i)));
+  if (unstable > 0) modes.unstable = divergent(form, (-e.values.head(unstable)).cwiseSqrt(), e.vectors.leftCols(unstable));
   modes.path = "eigenvalues of W (real symmetric, n × n)";
   return modes;
 }
@@ -114,10 +129,23 @@ QuadratureForm exchanged(const QuadratureForm& form) { return {-form.b.transpose
 QuadratureModes exchanged_back(QuadratureModes modes) {
   std::swap(modes.x, modes.y);
   modes.y = -modes.y;
-  return modes;  // a block ≥ 0 cannot flutter: no shapes of that kind to exchange
+  UnstableRoots unstable;  // e^{λt}: (x, y) of the exchanged form is (y, x) of this one, without a sign
+  for (Index k = 0; k < modes.unstable.count(); ++k) {
+    ComplexVector right(modes.x.rows() + modes.y.rows());
+    right << modes.unstable.right.col(k).tail(modes.x.rows()), modes.unstable.right.col(k).head(modes.y.rows());
+    add_reversible(unstable, modes.unstable.lambda[static_cast<std::size_t>(k)], right, modes.x.rows());
+  }
+  modes.unstable = std::move(unstable);
+  return modes;
 }
 
 }  // namespace
+
+void add_reversible(UnstableRoots& roots, Complex lambda, const ComplexVector& right, Index in_phase) {
+  ComplexVector left = right.conjugate();
+  left.tail(left.size() - in_phase) *= -1;
+  roots.add(lambda, right, left);
+}
 
 QuadratureModes quadrature_modes(const QuadratureForm& form) {
   if (form.first.has_root()) return by_w(form);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/dense/unstable_roots.h"
 #include "gyromode/lapack/types.h"
 
 #include <functional>
@@ -50,11 +51,12 @@ struct QuadratureForm {
 struct QuadratureModes {
   Vector omega;
   Matrix x, y;
-  std::vector<double> divergence;  ///< σ > 0 of pairs ±σ
-  std::vector<Complex> flutter;    ///< σ + jω, σ, ω > 0, of quadruples
-  ComplexMatrix flutter_shapes;    ///< n × quadruples: (x, ẏ/λ) of X e^{λt}
+  UnstableRoots unstable;          ///< X = (x, y) of X e^{λt}; Y = (x̄, −ȳ), as T reverses time
   std::string path;
 };
+
+/// Adds a root with X = (x, y), x the first `in_phase` rows: with T = diag(1, −1) reversing time, TN(λ)T = N(−λ), so that Y = T X̄ belongs to −λ̄.
+void add_reversible(UnstableRoots& roots, Complex lambda, const ComplexVector& right, Index in_phase);
 
 /// All roots of the form, by what its blocks allow:
 ///   a block ≥ 0      W of (T5), real symmetric n × n; the singular values of C, W = CCᵀ, where small frequencies ask for it;

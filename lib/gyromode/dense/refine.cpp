@@ -3,6 +3,7 @@
 #include "gyromode/dense/basis.h"
 #include "gyromode/dense/pencil.h"
 #include "gyromode/lapack/indefinite.h"
+#include "gyromode/system/scale.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -76,10 +77,11 @@ template <class AnyMatrix>
 AnyMatrix inverse_iterated(const AnyMatrix& h, const AnyMatrix& x, int steps) {
   AnyMatrix y = x;
   for (int attempt = 0; attempt < 4; ++attempt) {
-    const auto factor = lapack::factor_indefinite(attempt == 0 ? h : shifted_by_rounding(h, attempt));
+    const Vector d = equilibrating_scale(h);
+    const auto factor = lapack::factor_indefinite(scaled(attempt == 0 ? h : shifted_by_rounding(h, attempt), d));
     y = x;
     for (int step = 0; step < steps && y.allFinite(); ++step) {
-      y = lapack::solve(factor, y);
+      y = d.asDiagonal() * lapack::solve(factor, AnyMatrix(d.asDiagonal() * y));
       y.colwise().normalize();
     }
     if (y.allFinite()) break;
@@ -109,12 +111,15 @@ Complex quadratic_step(double a, double b, double m) {
   return sum == 0 ? 0 : 2 * a / sum;
 }
 
+// ‖Dr‖/‖D⁻¹x‖ in each coefficient's own scale (Impedance::weight).
 template <class AnyMatrix>
 double worst_residual(const Impedance& h, const Spectrum& s, const std::vector<Index>& group) {
   double worst = 0;
   for (const Index i : group) {
     const AnyMatrix x = taken(s, {i}, AnyMatrix());
-    worst = std::max(worst, (at(h, s.omega(i), x).value * x).norm() / (h.scale(s.omega(i)) * x.norm()));
+    const Vector weight = h.weight(s.omega(i));
+    const Vector r2 = (at(h, s.omega(i), x).value * x).cwiseAbs2();
+    worst = std::max(worst, std::sqrt((weight.array() > 0).select(r2.cwiseQuotient(weight), 0).sum() / weight.dot(Vector(x.cwiseAbs2()))));
   }
   return worst;
 }

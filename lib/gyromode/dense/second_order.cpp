@@ -25,8 +25,9 @@ void solve_regular(const SecondOrder& m, Index negative, Spectrum& s) {
     IndefiniteModes modes = indefinite_modes({gamma, normal.stiffness(m.stiffness)}, Matrix(m.size(), 0));
     s.re = modes.shapes.real();
     s.im = modes.shapes.imag();
-    s.store_roots(modes);
-    normal.to_physical(s.flutter_shapes);
+    s.omega = std::move(modes.omega);
+    s.unstable = std::move(modes.unstable);
+    normal.to_physical(s.unstable);
     s.path = fmt::format("general, K indefinite ({} negative): eigenvalues of order 2n with the Hamiltonian pairing kept", negative);
   }
   normal.to_physical(s.re);
@@ -39,9 +40,7 @@ void solve_second_order(const SecondOrder& m, Spectrum& s) {
   const Definiteness d = definiteness(m.stiffness);
   s.store_stiffness(d);
   if (d.zero == 0) return solve_regular(m, d.negative, s);
-  const MassNormal normal(m.mass);
-  const NormalForm form{normal.gyroscopic(m.gyroscopic), normal.stiffness(m.stiffness), -1};
-  solve_singular_stiffness(form, MassNormalGroups({normal}), d.null_space, d.zero, s);
+  solve_singular_stiffness({m.mass, m.gyroscopic, m.stiffness, -1}, d.null_space, s);
 }
 
 }  // namespace gyromode::dense

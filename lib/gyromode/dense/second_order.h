@@ -1,20 +1,26 @@
 #pragma once
 
-#include "gyromode/dense/spectrum.h"
+#include "gyromode/dense/impedance.h"
 #include "gyromode/structure/reversing_symmetry.h"
 
 namespace gyromode::dense {
 
 /// The matrices of one component, n × n, in the order of its Spectrum.
 struct SecondOrder {
-  Matrix mass, gyroscopic, stiffness;
+  const Matrix& mass;
+  const Matrix& gyroscopic;
+  const Matrix& stiffness;
 
   Index size() const { return mass.rows(); }
 };
 
 /// Those of a component with a partition: M = diag(M₁, M₂), G = [0 B; −Bᵀ 0], K = diag(K₁, K₂).
 struct SecondOrderQuadrature {
-  Matrix mass1, mass2, coupling, stiffness1, stiffness2;
+  const Matrix& mass1;
+  const Matrix& mass2;
+  const Matrix& coupling;
+  const Matrix& stiffness1;
+  const Matrix& stiffness2;
 
   Index size() const { return mass1.rows() + mass2.rows(); }
 };
@@ -33,6 +39,6 @@ bool solve_second_order(const SecondOrder& m, const ReversingSymmetry& symmetry,
 
 /// I q̇ + G q = 0 (theory §3d): singular values of L₁⁻¹BL₂⁻ᵀ with a partition, else of the bidiagonal half of the tridiagonalised L⁻¹GL⁻ᵀ. Singular
 /// values up to 8 n ε of the largest (of ‖L⁻¹GL⁻ᵀ‖_F without a partition) are zero.
-void solve_first_order(const Matrix& inertia, const Matrix& gyroscopic, Spectrum& s);
+void solve_first_order(const Impedance& h, Spectrum& s);
 
 }  // namespace gyromode::dense

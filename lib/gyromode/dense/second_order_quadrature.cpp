@@ -27,29 +27,31 @@ void solve_regular(const SecondOrderQuadrature& m, bool positive1, bool positive
   s.im = std::move(modes.y);
   s.im *= -1;
   s.path = "quadrature: " + modes.path;
-  s.store_roots(modes);
-  if (!s.flutter.empty()) MassNormalGroups({first, second}).to_physical(s.flutter_shapes);
+  s.omega = std::move(modes.omega);
+  s.unstable = std::move(modes.unstable);
+  MassNormalGroups({first, second}).to_physical(s.unstable);
 }
 
 Definiteness of_both(const Definiteness& d1, const Definiteness& d2) {
   const Index n1 = d1.null_space.rows();
-  Definiteness d{d1.negative + d2.negative, d1.zero + d2.zero, d1.positive + d2.positive, {}, std::min(d1.margin, d2.margin)};
+  Definiteness d{d1.negative + d2.negative, d1.zero + d2.zero, d1.positive + d2.positive, {}, std::min(d1.margin, d2.margin), d1.doubtful || d2.doubtful};
   d.null_space = Matrix::Zero(n1 + d2.null_space.rows(), d.zero);
   d.null_space.topLeftCorner(n1, d1.zero) = d1.null_space;
   d.null_space.bottomRightCorner(d2.null_space.rows(), d2.zero) = d2.null_space;
   return d;
 }
 
-NormalForm normal_form(const SecondOrderQuadrature& m, const MassNormal& first, const MassNormal& second) {
-  const Index p = first.size();
-  const Index r = second.size();
-  NormalForm form{Matrix::Zero(p + r, p + r), Matrix::Zero(p + r, p + r), p};
-  const Matrix b = first.coupling(m.coupling, second);
-  form.gamma.topRightCorner(p, r) = b;
-  form.gamma.bottomLeftCorner(r, p) = -b.transpose();
-  form.k.topLeftCorner(p, p) = first.stiffness(m.stiffness1);
-  form.k.bottomRightCorner(r, r) = second.stiffness(m.stiffness2);
-  return form;
+SingularSystem whole(const SecondOrderQuadrature& m) {
+  const Index p = m.mass1.rows();
+  const Index r = m.mass2.rows();
+  SingularSystem s{Matrix::Zero(p + r, p + r), Matrix::Zero(p + r, p + r), Matrix::Zero(p + r, p + r), p};
+  s.mass.topLeftCorner(p, p) = m.mass1;
+  s.mass.bottomRightCorner(r, r) = m.mass2;
+  s.gyroscopic.topRightCorner(p, r) = m.coupling;
+  s.gyroscopic.bottomLeftCorner(r, p) = -m.coupling.transpose();
+  s.stiffness.topLeftCorner(p, p) = m.stiffness1;
+  s.stiffness.bottomRightCorner(r, r) = m.stiffness2;
+  return s;
 }
 
 }  // namespace
@@ -60,9 +62,7 @@ void solve_second_order(const SecondOrderQuadrature& m, const Definiteness& d1, 
   const Definiteness d = of_both(d1, d2);
   s.store_stiffness(d);
   if (d.zero == 0) return solve_regular(m, d1.negative == 0, d2.negative == 0, s);
-  const MassNormal first(m.mass1);
-  const MassNormal second(m.mass2);
-  solve_singular_stiffness(normal_form(m, first, second), MassNormalGroups({first, second}), d.null_space, d1.zero, s);
+  solve_singular_stiffness(whole(m), d.null_space, s);
 }
 
 }  // namespace gyromode::dense

@@ -2,93 +2,114 @@
 
 #include "gyromode/dense/definite.h"
 #include "gyromode/dense/indefinite.h"
+#include "gyromode/dense/mass_normal.h"
 #include "gyromode/dense/quadrature.h"
 #include "gyromode/lapack/multiply.h"
-#include "gyromode/lapack/status.h"
 #include "gyromode/lapack/triangular.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 
 namespace gyromode::dense {
 
 namespace {
 
-// f with k = f fᵀ for k ≥ 0 whose null space is spanned by the orthonormal columns of `null`: f = C·chol(CᵀkC), C its complement.
-Matrix semidefinite_root(const Matrix& k, const Matrix& null) {
+// f with k = f fᵀ for k ≥ 0 whose null space is spanned by the columns of `null`: f = C·chol(CᵀkC), C its complement. Empty where rounding leaves k indefinite there.
+std::optional<Matrix> semidefinite_root(const Matrix& k, const Matrix& null) {
   const Index n = k.rows();
   const Matrix c = lapack::orthogonal_completion(null).rightCols(n - null.cols());
   Matrix l = lapack::multiply_tn(c, lapack::multiply(k, c));
-  if (lapack::cholesky(l)) throw lapack::Failure("a semidefinite stiffness has no Cholesky factor beside its null space");
+  if (lapack::cholesky(l)) return std::nullopt;
   return lapack::multiply(c, l);
+}
+
+Matrix normal_null(const MassNormal& normal, Matrix null) {
+  if (null.cols() > 0) normal.to_normal(null);
+  return null;
 }
 
 // Shapes of the reduced system, all its vibrations.
 ComplexMatrix solve_reduced_quadrature(const Deflation& d, Spectrum& s) {
-  const Index p = d.reduced.split;
-  const Index r = d.reduced.size() - p;
+  const SingularSystem& m = d.reduced;
+  const Index p = m.split;
+  const Index r = m.size() - p;
   const Index pairs = d.gyroscopic_null.cols() / 2;
-  const auto block = [&](const Matrix& k, Matrix null) {
-    StiffnessBlock made = d.negative_in(k) == 0 ? StiffnessBlock(k, semidefinite_root(k, null)) : StiffnessBlock(k);
+  const MassNormal first(m.mass.topLeftCorner(p, p)), second(m.mass.bottomRightCorner(r, r));
+  const auto block = [](Matrix k, Matrix null, Index negative) {
+    std::optional<Matrix> root;
+    if (negative == 0) root = semidefinite_root(k, null);
+    StiffnessBlock made = root ? StiffnessBlock(std::move(k), std::move(*root)) : StiffnessBlock(std::move(k));
     made.set_null(std::move(null));
     return made;
   };
-  QuadratureModes modes = quadrature_modes({d.reduced.gamma.topRightCorner(p, r), block(d.reduced.k.topLeftCorner(p, p), d.gyroscopic_null.topLeftCorner(p, pairs)),
-                                            block(d.reduced.k.bottomRightCorner(r, r), d.gyroscopic_null.bottomRightCorner(r, pairs))});
-  ComplexMatrix shapes(d.reduced.size(), modes.omega.size());
+  QuadratureModes modes = quadrature_modes({first.coupling(m.gyroscopic.topRightCorner(p, r), second),
+                                            block(first.stiffness(m.stiffness.topLeftCorner(p, p)), normal_null(first, d.gyroscopic_null.topLeftCorner(p, pairs)), d.negative_first),
+                                            block(second.stiffness(m.stiffness.bottomRightCorner(r, r)), normal_null(second, d.gyroscopic_null.bottomRightCorner(r, pairs)), d.negative_second)});
+  ComplexMatrix shapes(m.size(), modes.omega.size());
   shapes.topRows(p) = modes.x.cast<Complex>();
   shapes.bottomRows(r) = Complex(0, -1) * modes.y.cast<Complex>();
+  const MassNormalGroups groups({first, second});
+  groups.to_physical(shapes);
+  groups.to_physical(modes.unstable);
   s.path = "quadrature: " + modes.path;
-  s.store_roots(modes);
+  s.omega = std::move(modes.omega);
+  s.unstable = std::move(modes.unstable);
   return shapes;
 }
 
 ComplexMatrix solve_reduced_general(const Deflation& d, Spectrum& s) {
+  const MassNormal normal(d.reduced.mass);
+  const Matrix gamma = normal.gyroscopic(d.reduced.gyroscopic);
+  const Matrix k = normal.stiffness(d.reduced.stiffness);
+  const Matrix null = normal_null(normal, d.gyroscopic_null);
+  std::optional<Matrix> root;
+  if (d.negative() == 0) root = semidefinite_root(k, null);
   ComplexMatrix shapes(d.reduced.size(), 0);
-  if (d.negative == 0) {
-    ComplexModes modes = definite_modes(d.reduced.gamma, semidefinite_root(d.reduced.k, d.gyroscopic_null));
+  if (root) {
+    ComplexModes modes = definite_modes(gamma, *root);
     s.omega = std::move(modes.omega);
     shapes.resize(d.reduced.size(), s.omega.size());
     shapes.real() = modes.re;
     shapes.imag() = modes.im;
     s.path = "general, K ≥ 0: singular values of a real bidiagonal matrix from a skew tridiagonal form";
   } else {
-    IndefiniteModes modes = indefinite_modes(d.reduced, d.gyroscopic_null);
+    IndefiniteModes modes = indefinite_modes({gamma, k}, null);
     shapes = std::move(modes.shapes);
-    s.store_roots(modes);
+    s.omega = std::move(modes.omega);
+    s.unstable = std::move(modes.unstable);
+    normal.to_physical(s.unstable);
     s.path = "general, K indefinite: eigenvalues of order 2n with the Hamiltonian pairing kept";
   }
+  normal.to_physical(shapes);
   return shapes;
 }
 
+ComplexVector as_vector(const std::vector<Complex>& lambda) { return Eigen::Map<const ComplexVector>(lambda.data(), static_cast<Index>(lambda.size())); }
+
 }  // namespace
 
-double null_error(Index n, double margin) { return 64 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() / std::max(margin, 1e-8); }
-
 void store_zero_modes(const Deflation& d, const Matrix& null_space, Spectrum& s) {
-  s.reduced_negative = d.negative;
-  s.impedance_negative = d.ignorable + d.negative + d.gyroscopic_null.cols() / 2;
+  s.reduced_negative = d.negative();
+  s.impedance_negative = d.ignorable + d.negative() + d.gyroscopic_null.cols() / 2;
+  s.rank_doubtful = s.rank_doubtful || d.doubtful;
   s.zero_shapes.resize(null_space.rows(), d.zero_pairs);
   for (Index k = 0; k < d.zero_pairs; ++k) s.zero_shapes.col(k) = null_space.col(std::min(k, null_space.cols() - 1));
 }
 
-void solve_singular_stiffness(NormalForm form, const MassNormalGroups& normal, const Matrix& null_space, Index null_in_first, Spectrum& s) {
-  const Index split = form.split;
-  Matrix null = null_space;
-  normal.to_normal(null);
-  const double error = null_error(form.size(), s.stiffness_margin);
-  const Deflation d = deflate(std::move(form), {std::move(null), null_in_first, s.stiffness_negative, error});
+void solve_singular_stiffness(SingularSystem system, const Matrix& null_space, Spectrum& s) {
+  const Index split = system.split;
+  const Deflation d = deflate(std::move(system));
   store_zero_modes(d, null_space, s);
   s.omega.resize(0);
   ComplexMatrix shapes(d.reduced.size(), 0);
   if (d.reduced.size() > 0) shapes = split < 0 ? solve_reduced_general(d, s) : solve_reduced_quadrature(d, s);
-  ComplexMatrix z = d.expand(shapes, Complex(0, 1) * s.omega.cast<Complex>());
-  normal.to_physical(z);
-  if (!s.flutter.empty()) {
-    s.flutter_shapes = d.expand(s.flutter_shapes, Eigen::Map<const ComplexVector>(s.flutter.data(), static_cast<Index>(s.flutter.size())));
-    normal.to_physical(s.flutter_shapes);
+  const ComplexMatrix z = d.expand(shapes, Complex(0, 1) * s.omega.cast<Complex>());
+  if (s.unstable.count() > 0) {
+    const ComplexVector lambda = as_vector(s.unstable.lambda);
+    s.unstable.right = d.expand(s.unstable.right, lambda);
+    s.unstable.left = d.expand(s.unstable.left, -lambda.conjugate());
   }
   if (split < 0) {
     s.re = z.real();

@@ -52,64 +52,62 @@ Matrix restricted(const Matrix& a, const std::vector<Index>& rows, const std::ve
   return part;
 }
 
-void Spectrum::store_stiffness(const Definiteness& d) {
-  stiffness_negative = reduced_negative = impedance_negative = d.negative;
-  stiffness_zero = d.zero;
-  stiffness_margin = d.margin;
-  zero_shapes.resize(size(), 0);
-}
+namespace {
 
-ComplexVector Spectrum::shape(Index k) const {
-  ComplexVector x = ComplexVector::Zero(size());
-  if (split < 0) {
-    x.real() = re.col(k);
-    x.imag() = im.col(k);
-  } else {
-    x.head(split).real() = re.col(k);
-    x.tail(size() - split).imag() = im.col(k);
+void fill(const Impedance& h, const Component& component, Method method, Spectrum& s) {
+  if (h.quadrature()) {
+    solve_second_order(SecondOrderQuadrature{h.mass_rr(), h.mass_ii(), h.gyroscopic_ri(), h.stiffness_rr(), h.stiffness_ii()}, s);
+    return;
   }
-  return x;
-}
-
-Spectrum solve(const System& system, const Component& component, Method method) {
-  if (method == Method::quadrature) require_partition(component, system.labels());
-  if (method == Method::hidden) require_reversing_symmetry(component, system.labels());
-  const bool with_partition = component.quadrature() && (method == Method::automatic || method == Method::quadrature || method == Method::hidden);
-  Spectrum s;
-  s.order = ordered(component, with_partition);
-  s.split = with_partition ? static_cast<Index>(component.in_phase.size()) : -1;
-  if (with_partition) {
-    const auto& first = component.in_phase;
-    const auto& second = component.in_quadrature;
-    solve_second_order(SecondOrderQuadrature{restricted(system.mass(), first, first), restricted(system.mass(), second, second),
-                                             restricted(system.gyroscopic(), first, second), restricted(system.stiffness(), first, first),
-                                             restricted(system.stiffness(), second, second)},
-                       s);
-    return s;
-  }
-  const SecondOrder matrices{restricted(system.mass(), s.order, s.order), restricted(system.gyroscopic(), s.order, s.order),
-                             restricted(system.stiffness(), s.order, s.order)};
-  if (hidden_applies(component, method) && solve_second_order(matrices, *component.search->found, s)) return s;
+  const SecondOrder matrices{h.mass_rr(), h.gyroscopic_ri(), h.stiffness_rr()};
+  if (hidden_applies(component, method) && solve_second_order(matrices, component.search->found->in_units(h.units()), s)) return;
   switch (method) {
     case Method::first_order: solve_companion(matrices, s); break;
     case Method::symmetric_2n: solve_symmetric_2n(matrices, s); break;
     default: solve_second_order(matrices, s); break;
   }
+}
+
+template <class AnySystem>
+Spectrum in_given_units(const AnySystem& system, const Component& component, Method method) {
+  const Impedance h = impedance_of(system, component, method);
+  Spectrum s = solve(h, component, method);
+  h.to_given(s);
   return s;
 }
 
-Spectrum solve(const FirstOrderSystem& system, const Component& component, Method method) {
+}  // namespace
+
+Impedance impedance_of(const System& system, const Component& component, Method method) {
+  if (method == Method::quadrature) require_partition(component, system.labels());
+  if (method == Method::hidden) require_reversing_symmetry(component, system.labels());
+  const bool with_partition = component.quadrature() && (method == Method::automatic || method == Method::quadrature || method == Method::hidden);
+  return Impedance::natural(system, ordered(component, with_partition), with_partition ? static_cast<Index>(component.in_phase.size()) : -1);
+}
+
+Impedance impedance_of(const FirstOrderSystem& system, const Component& component, Method method) {
   if (method == Method::quadrature) require_partition(component, system.labels());
   if (method == Method::hidden) throw MethodDoesNotApply("method 'hidden' serves second-order models: every first-order model has a reversing symmetry, and 'general' makes use of it");
   if (method == Method::first_order || method == Method::symmetric_2n) {
     throw MethodDoesNotApply("the classical 2n methods start from M, G, K; a first-order model is solved as it stands: use 'auto', 'quadrature' or 'general'");
   }
   const bool with_partition = component.quadrature() && method != Method::general;
+  return Impedance::natural(system, ordered(component, with_partition), with_partition ? static_cast<Index>(component.in_phase.size()) : -1);
+}
+
+Spectrum solve(const Impedance& h, const Component& component, Method method) {
   Spectrum s;
-  s.order = ordered(component, with_partition);
-  s.split = with_partition ? static_cast<Index>(component.in_phase.size()) : -1;
-  solve_first_order(restricted(system.inertia(), s.order, s.order), restricted(system.gyroscopic(), s.order, s.order), s);
+  s.order = h.order();
+  s.split = h.split();
+  if (h.second_order()) {
+    fill(h, component, method, s);
+  } else {
+    solve_first_order(h, s);
+  }
   return s;
 }
+
+Spectrum solve(const System& system, const Component& component, Method method) { return in_given_units(system, component, method); }
+Spectrum solve(const FirstOrderSystem& system, const Component& component, Method method) { return in_given_units(system, component, method); }
 
 }  // namespace gyromode::dense

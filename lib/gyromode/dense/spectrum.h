@@ -1,7 +1,9 @@
 #pragma once
 
+#include "gyromode/dense/unstable_roots.h"
 #include "gyromode/lapack/types.h"
 #include "gyromode/structure/definiteness.h"
+#include "gyromode/system/units.h"
 
 #include <stdexcept>
 #include <string>
@@ -29,13 +31,12 @@ struct Spectrum {
   Matrix re, im;
 
   Matrix zero_shapes;              ///< n × zero_pairs, real: one column a pair of zero roots (a zero root, in first order)
-  std::vector<double> divergence;  ///< σ > 0 of real pairs ±σ
-  std::vector<Complex> flutter;    ///< σ + jω, σ, ω > 0, of quadruples
-  ComplexMatrix flutter_shapes;    ///< n × quadruples: X of X e^{λt}
+  UnstableRoots unstable;
 
   Index stiffness_negative = 0;  ///< n₋(K)
   Index stiffness_zero = 0;      ///< dim null(K)
   double stiffness_margin = 1;   ///< smallest over largest |eigenvalue| of the equilibrated K
+  bool rank_doubtful = false;    ///< a rank decision on K that another program could take otherwise
   Index reduced_negative = 0;    ///< n₋(K) without ignorable coordinates: k_r + 2k_c + 2k₋ (theory (T12))
   Index impedance_negative = 0;  ///< n₋(H(0⁺)) (theory (T10))
 
@@ -43,15 +44,11 @@ struct Spectrum {
 
   Index size() const { return static_cast<Index>(order.size()); }
   Index zero_pairs() const { return zero_shapes.cols(); }
-  /// Takes everything over from the modes of a solver but the undamped shapes, which its caller turns back to physical coordinates; so it does
-  /// with the flutter shapes.
-  template <class Modes>
-  void store_roots(Modes& modes) {
-    omega = std::move(modes.omega);
-    divergence = std::move(modes.divergence);
-    flutter = std::move(modes.flutter);
-    flutter_shapes = std::move(modes.flutter_shapes);
-  }
+  /// The number of real pairs and of quadruples among the unstable roots.
+  Index divergent() const;
+  Index fluttering() const;
+  /// The same roots and shapes, found in the units `from`, in the units given.
+  void to_given_units(const Units& from);
   /// The counts of a regular K; a singular one corrects the reduced ones later.
   void store_stiffness(const Definiteness& d);
   /// Column k as a complex vector of all rows, in the order above.

@@ -1,27 +1,46 @@
 #include "gyromode/modes/components.h"
 
 #include "gyromode/certificate/polish.h"
+#include "gyromode/dense/own_scale.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace gyromode {
 
 namespace {
 
+SolvedComponent certified(Impedance impedance, dense::Spectrum spectrum);
+
 template <class AnySystem>
 SolvedComponent solved_component(const AnySystem& system, const Component& component, dense::Method method) {
-  dense::Spectrum spectrum = dense::solve(system, component, method);
-  Impedance impedance(system, spectrum);
+  Impedance impedance = dense::impedance_of(system, component, method);
+  dense::Spectrum spectrum = dense::solve(impedance, component, method);
+  return certified(std::move(impedance), std::move(spectrum));
+}
+
+// Everything in the units of the impedance until the end.
+SolvedComponent certified(Impedance impedance, dense::Spectrum spectrum) {
   Assessment assessment = assess(impedance, spectrum);
   polish(impedance, spectrum, assessment);
   Verdict verdict = judge(impedance, spectrum, assessment);
   return {std::move(spectrum), std::move(impedance), std::move(assessment), std::move(verdict)};
 }
 
-double worst_residual(const SolvedComponent& c) { return c.assessment.residual.size() == 0 ? 0 : c.assessment.residual.maxCoeff(); }
+double worst_residual(const SolvedComponent& c) {
+  double worst = 0;
+  for (const double r : c.assessment.own_residual) worst = r <= worst ? worst : std::isfinite(r) ? r : std::numeric_limits<double>::infinity();
+  return worst;
+}
+
+void to_given_units(SolvedComponent& c) {
+  const Units& units = c.impedance.units();
+  c.impedance.to_given(c.spectrum);
+  for (Vector* v : {&c.assessment.error_bound, &c.assessment.sensitivity, &c.assessment.unstable.error_bound, &c.assessment.unstable.sensitivity}) *v /= units.time;
+}
 
 // What a certificate will ask for: the index balance closed and residuals at rounding.
 bool convincing(const SolvedComponent& c) {
@@ -29,16 +48,30 @@ bool convincing(const SolvedComponent& c) {
   return c.verdict.balance.closed && worst_residual(c) <= limit;
 }
 
-// With K indefinite and graded over many decades, ω² (W, P) loses small roots that λ of the first-order form keeps: where the result does not convince, the general
-// solver has a try.
+// Better evidence: the balance closed, then the smaller worst residual.
+bool better(const SolvedComponent& a, const SolvedComponent& b) { return a.verdict.balance.closed && (!b.verdict.balance.closed || worst_residual(a) < worst_residual(b)); }
+
+// A solver of one scale loses roots far below the largest where spin is strong or K graded and indefinite. Where the result does not convince, the general solver has a try (λ of the first-order form keeps roots that ω²
+// loses), and then, in a small system, every root is found in its own scale.
 template <class AnySystem>
 SolvedComponent best_component(const AnySystem& system, const Component& component, dense::Method method) {
-  SolvedComponent c = solved_component(system, component, method);
+  SolvedComponent best = solved_component(system, component, method);
+  if (method != dense::Method::automatic || convincing(best) || !best.impedance.second_order()) return best;
+  constexpr Index own_scale_up_to = 48;
+  if (best.impedance.size() <= own_scale_up_to) {
+    Impedance h = best.impedance.with_null_coordinates().value_or(best.impedance);
+    dense::Spectrum known = best.spectrum;
+    best.impedance.to_given(known);
+    known.zero_shapes = h.own_shapes(known.zero_shapes);
+    if (auto roots = dense::solve_in_own_scale(h, known)) {
+      SolvedComponent again = certified(std::move(h), std::move(*roots));
+      if (better(again, best)) best = std::move(again);
+    }
+  }
   const bool by_partition = component.quadrature() || component.hidden_quadrature();
-  if (method != dense::Method::automatic || convincing(c) || (c.spectrum.stiffness_negative == 0 && component.quadrature()) || !by_partition) return c;
+  if (convincing(best) || (best.spectrum.stiffness_negative == 0 && component.quadrature()) || !by_partition) return best;
   SolvedComponent again = solved_component(system, component, dense::Method::general);
-  const bool better = again.verdict.balance.closed && (!c.verdict.balance.closed || worst_residual(again) < worst_residual(c));
-  if (!better) return c;
+  if (!better(again, best)) return best;
   again.spectrum.path += " (quadrature solver did not convince)";
   return again;
 }
@@ -58,6 +91,7 @@ SolvedSystem solved(const AnySystem& given, const StructureOptions& options, den
   s.size = given.size();
   for (const Component& component : s.structure.components) {
     s.components.push_back(best_component(system, component, method));
+    to_given_units(s.components.back());
   }
   return s;
 }
@@ -111,6 +145,13 @@ IndexBalance SolvedSystem::index_balance() const {
   return sum;
 }
 
+std::string SolvedSystem::open_reason() const {
+  for (const SolvedComponent& c : components) {
+    if (!c.verdict.balance.closed) return c.verdict.reason;
+  }
+  return "";
+}
+
 Stiffness SolvedSystem::stiffness() const {
   Stiffness k;
   for (const SolvedComponent& c : components) {
@@ -148,7 +189,7 @@ std::string SolvedSystem::path() const {
 Inertia SolvedSystem::negative_at(double omega) const {
   Inertia sum;
   for (const SolvedComponent& c : components) {
-    const Inertia part = c.impedance.negative_at(omega);
+    const Inertia part = c.impedance.negative_at(omega * c.impedance.units().time);
     sum.negative += part.negative;
     sum.positive += part.positive;
     sum.margin = std::min(sum.margin, part.doubtful() ? 0 : part.margin);

@@ -27,6 +27,7 @@ struct SolvedSystem {
   /// them flutter.
   Stability stability() const;
   IndexBalance index_balance() const;
+  std::string open_reason() const;  ///< why the balance of the first component that is not closed is open; empty where all are
   Stiffness stiffness() const;
   std::string path() const;
 

@@ -1,7 +1,7 @@
 #include "gyromode/modes/count.h"
 
 #include "gyromode/modes/components.h"
-#include "gyromode/modes/coverage.h"
+#include "gyromode/modes/window_ends.h"
 
 #include <limits>
 
@@ -11,9 +11,9 @@ namespace {
 
 CountResult counted(const SolvedSystem& s, const Window& requested) {
   const Frequencies f(s);
-  const Window window = cleared(requested, f);
-  const WindowEnds ends = ends_of(s, f, window);
-  const Coverage c = coverage(s, f, requested, window, ends);
+  const WindowEnds ends = ends_of(s, f, requested);
+  const Window& window = ends.window;
+  const Coverage c = coverage(s, f, requested, ends);
   CountResult r;
   r.window = window;
   r.requested = requested;

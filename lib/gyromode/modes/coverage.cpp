@@ -1,5 +1,7 @@
 #include "gyromode/modes/coverage.h"
 
+#include "gyromode/modes/window_ends.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +11,6 @@
 namespace gyromode {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The error bound of a root, and not less than what rounding of ω itself and a backward error of n ε leave open.
 double open_error(const SolvedComponent& c, Index i) {
@@ -44,10 +44,10 @@ std::vector<Cut> possible_cuts(const Frequencies& f, const Window& w, Index at_z
   return cuts;
 }
 
-// All boundaries between signs, narrowest first as the riskiest, and a few of the widest gaps; bounded, as each costs a factorisation.
-std::vector<Cut> chosen_cuts(const std::vector<Cut>& cuts) {
-  constexpr std::size_t most_boundaries = 64;
-  constexpr std::size_t most_gaps = 2;
+// Boundaries between signs, narrowest first as the riskiest, and some of the widest gaps: each costs a factorisation, so a large system gets few. They are a second opinion on roots that were shown to exist one by one.
+std::vector<Cut> chosen_cuts(const std::vector<Cut>& cuts, Index size) {
+  const std::size_t most_boundaries = size <= 64 ? 64 : 2;
+  const std::size_t most_gaps = size <= 64 ? 2 : 1;
   std::vector<Cut> boundaries;
   std::vector<Cut> gaps;
   for (const Cut& c : cuts) (c.between_signs ? boundaries : gaps).push_back(c);
@@ -67,18 +67,10 @@ std::optional<std::string> not_an_eigenpair(const SolvedSystem& s, const Frequen
     const SolvedComponent& c = s.components[static_cast<std::size_t>(e.component)];
     constexpr double allowed = 30;
     const double limit = allowed * static_cast<double>(std::max<Index>(c.spectrum.size(), 2)) * std::numeric_limits<double>::epsilon();
-    const double residual = c.assessment.residual(e.position);
+    const double residual = c.assessment.own_residual(e.position);
     if (!(residual <= limit)) return fmt::format("the root at ω = {:.6g} has the residual {:.2g}, above {:.2g}", e.omega, residual, limit);
   }
   return std::nullopt;
-}
-
-// A frequency above every mode found, or where none was found any that has the unit of the system.
-double above_all(const SolvedSystem& s, const Frequencies& f) {
-  if (!f.entries.empty() && f.entries.back().omega > 0) return 1.125 * f.entries.back().omega;
-  double typical = 0;
-  for (const SolvedComponent& c : s.components) typical = std::max(typical, c.impedance.typical_frequency());
-  return typical > 0 ? typical : 1;  // M alone: every ω is as good
 }
 
 }  // namespace
@@ -95,23 +87,8 @@ Frequencies::Frequencies(const SolvedSystem& s) {
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.omega < b.omega; });
 }
 
-// At an open end H(ω) is −ω²M, negative definite (ωI, positive definite, in first order); a factorisation just above the last mode shows that no mode is above it.
-WindowEnds ends_of(const SolvedSystem& s, const Frequencies& f, const Window& window) {
-  return {window.a == 0 ? Inertia{s.negative_at_zero(), 0, 1} : s.negative_at(window.a), s.negative_at(window.open() ? above_all(s, f) : window.b)};
-}
-
-Window cleared(const Window& requested, const Frequencies& f) {
-  Window w = requested;
-  for (auto e = f.entries.rbegin(); e != f.entries.rend() && w.a > 0; ++e) {  // downward
-    if (e->position >= 0 && std::abs(e->omega - w.a) <= 4 * e->error) w.a = std::max(0.0, e->omega - 8 * e->error);
-  }
-  for (const auto& e : f.entries) {  // upward
-    if (e.position >= 0 && w.b < infinity && std::abs(e.omega - w.b) <= 4 * e.error) w.b = e.omega + 8 * e.error;
-  }
-  return w;
-}
-
-Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& requested, const Window& window, const WindowEnds& ends) {
+Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& requested, const WindowEnds& ends) {
+  const Window& window = ends.window;
   Coverage c{CoverageStatus::not_counted, window, requested, 0, std::nullopt, ""};
   Index zero = 0;
   Index negative_energy = 0;
@@ -124,7 +101,7 @@ Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& req
     else if (e.energy_sign == 0) ++undecided;
   }
   if (!s.index_balance().closed) {
-    c.reason = "the index balance does not close: negative-energy modes cannot all be accounted for";
+    c.reason = "the index balance does not close: " + s.open_reason();
     return c;
   }
   if (ends.low.doubtful() || ends.high.doubtful()) {
@@ -146,7 +123,7 @@ Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& req
     return c;
   }
   const Index at_zero = window.a == 0 ? ends.low.negative : s.negative_at_zero();
-  for (const Cut& cut : chosen_cuts(possible_cuts(f, window, at_zero, direction))) {
+  for (const Cut& cut : chosen_cuts(possible_cuts(f, window, at_zero, direction), s.size)) {
     const Inertia i = s.negative_at(cut.omega);
     if (i.doubtful() || i.negative == cut.expected) continue;
     c.status = CoverageStatus::incomplete;

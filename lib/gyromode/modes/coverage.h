@@ -18,17 +18,10 @@ struct Frequencies {
   explicit Frequencies(const SolvedSystem& s);
 };
 
-/// The window with each endpoint that falls on a mode within its error moved outward, past every mode that it touches.
-Window cleared(const Window& requested, const Frequencies& f);
+struct WindowEnds;
 
-/// n₋(H) at the ends of a window: H(0⁺) where a = 0; at an open end just above the last mode, where −ω²M must have taken over.
-struct WindowEnds {
-  Inertia low, high;
-};
-WindowEnds ends_of(const SolvedSystem& s, const Frequencies& f, const Window& window);
-
-/// The count of modes in `window` by theory (T9), (T10), independent of the modes found but for their energy signs, and checked inside the window:
+/// The count of modes in the window of `ends` by theory (T9), (T10), independent of the modes found but for their energy signs, and checked inside the window:
 /// between runs of modes of one sign, and at the widest gaps, n₋(H) must have changed by the signs found below.
-Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& requested, const Window& window, const WindowEnds& ends);
+Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& requested, const WindowEnds& ends);
 
 }  // namespace gyromode

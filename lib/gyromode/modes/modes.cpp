@@ -1,10 +1,8 @@
 #include "gyromode/modes/modes.h"
 
 #include "gyromode/modes/components.h"
-#include "gyromode/modes/coverage.h"
 #include "gyromode/modes/shape.h"
-
-#include <Eigen/LU>
+#include "gyromode/modes/window_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,15 +37,10 @@ Mode made(const SolvedSystem& s, const Frequencies::Entry& e, bool with_shape) {
   return m;
 }
 
-// The null vector of N(λ) = K + λG + λ²M by two steps of inverse iteration: λ is a root to rounding.
-UnstableMode grown(const SolvedSystem& s, const SolvedComponent& c, Complex lambda, bool with_shape) {
-  UnstableMode u{lambda.real(), lambda.imag(), {}};
-  if (!with_shape) return u;
-  const Eigen::FullPivLU<ComplexMatrix> n(c.impedance.characteristic_at(lambda * (1 + 1e-14)));
-  ComplexVector x = ComplexVector::Ones(c.spectrum.size());
-  for (int step = 0; step < 2; ++step) x = n.solve(x).normalized().eval();
-  if (!x.allFinite()) return u;
-  u.shape = full_shape(s, c.spectrum, x);
+UnstableMode grown(const SolvedSystem& s, const SolvedComponent& c, Index k, bool with_shape) {
+  const Complex lambda = c.spectrum.unstable.lambda[static_cast<std::size_t>(k)];
+  UnstableMode u{lambda.real(), lambda.imag(), c.assessment.unstable.residual(k), c.assessment.unstable.error_bound(k), {}};
+  if (with_shape) u.shape = full_shape(s, c.spectrum, c.spectrum.unstable.right.col(k));
   return u;
 }
 
@@ -85,13 +78,14 @@ ModesResult result_of(const SolvedSystem& s, const ModesOptions& options) {
   r.first_order = s.first_order;
   r.stability = s.stability();
   r.index_balance = s.index_balance();
-  Window window = options.lowest ? lowest_window(s, f, *options.lowest, options.window) : options.window;
-  window = cleared(window, f);
-  r.coverage = coverage(s, f, options.window, window, ends_of(s, f, window));
+  const WindowEnds ends = ends_of(s, f, options.lowest ? lowest_window(s, f, *options.lowest, options.window) : options.window);
+  const Window& window = ends.window;
+  r.coverage = coverage(s, f, options.window, ends);
   r.opposite_gap = std::numeric_limits<double>::infinity();
   for (const SolvedComponent& c : s.components) {
-    for (const double sigma : c.spectrum.divergence) r.unstable.push_back(grown(s, c, sigma, options.shapes));
-    for (const Complex& lambda : c.spectrum.flutter) r.unstable.push_back(grown(s, c, lambda, options.shapes));
+    for (Index k = 0; k < c.spectrum.unstable.count(); ++k) {
+      if (c.verdict.unstable_shown[static_cast<std::size_t>(k)]) r.unstable.push_back(grown(s, c, k, options.shapes));
+    }
     r.opposite_gap = std::min(r.opposite_gap, c.verdict.gap);
   }
   std::sort(r.unstable.begin(), r.unstable.end(), [](const UnstableMode& a, const UnstableMode& b) { return a.growth_rate > b.growth_rate; });

@@ -21,7 +21,7 @@ State plus(State a, const State& b) { return {a.q + b.q, a.qdot + b.qdot}; }
 double energy_of(const State& w, const Matrix& mass, const Matrix& stiffness) { return 0.5 * (w.qdot.dot(mass * w.qdot) + w.q.dot(stiffness * w.q)); }
 
 ComponentMotion::ComponentMotion(const System& system, const SolvedComponent& c)
-    : order_(c.spectrum.order), matrices_(system, order_), modal_(matrices_, c), zero_(matrices_, c.spectrum.zero_pairs()), unit_(c.impedance.typical_frequency()) {}
+    : order_(c.spectrum.order), matrices_(system, order_), modal_(matrices_, c), zero_(matrices_, c.spectrum.zero_pairs()), unit_(c.impedance.typical_frequency() / c.impedance.units().time) {}
 
 double ComponentMotion::norm(const State& w) const { return std::sqrt(w.qdot.dot(matrices_.mass * w.qdot) + unit_ * unit_ * w.q.dot(matrices_.mass * w.q)); }
 

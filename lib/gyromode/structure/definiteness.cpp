@@ -3,6 +3,7 @@
 #include "gyromode/lapack/indefinite.h"
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
+#include "gyromode/structure/ranked_factor.h"
 #include "gyromode/system/scale.h"
 
 #include <algorithm>
@@ -17,9 +18,9 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// Up to this order the eigenvalues are computed outright. Beyond, a factorisation decides where both its pivots and its condition estimate leave a factor
-// 10 and more to the threshold: either alone can miss a null vector.
-constexpr Index eigenvalues_up_to = 256;
+// Up to this order the rank is decided entry by entry. Beyond, a blocked factorisation decides where both its pivots and its condition estimate leave a factor
+// 10 and more to the threshold (either alone can miss a null vector), else the eigenvalues of the equilibrated K.
+constexpr Index entry_by_entry_up_to = 256;
 
 bool clearly_regular(double reciprocal_condition, const Vector& pivots) {
   const double n = static_cast<double>(pivots.size());
@@ -35,7 +36,7 @@ std::optional<Definiteness> positive_by_cholesky(const Matrix& k) {
   if (lapack::cholesky(l)) return std::nullopt;
   const double rcond = lapack::reciprocal_condition(l, norm);
   if (!clearly_regular(rcond, l.diagonal().cwiseAbs2())) return std::nullopt;
-  return Definiteness{0, 0, k.rows(), Matrix(k.rows(), 0), rcond};
+  return Definiteness{0, 0, k.rows(), Matrix(k.rows(), 0), rcond, false};
 }
 
 std::optional<Definiteness> regular_by_pivots(const Matrix& k) {
@@ -45,7 +46,7 @@ std::optional<Definiteness> regular_by_pivots(const Matrix& k) {
   const double rcond = lapack::reciprocal_condition(factor, norm1(k));
   if (!clearly_regular(rcond, d)) return std::nullopt;
   const Index negative = (d.array() < 0).count();
-  return Definiteness{negative, 0, k.rows() - negative, Matrix(k.rows(), 0), rcond};
+  return Definiteness{negative, 0, k.rows() - negative, Matrix(k.rows(), 0), rcond, false};
 }
 
 // D v̂ of differing units point the same way. Gauss–Jordan elimination with complete pivoting makes the columns a unit matrix in some rows and at most about one
@@ -93,6 +94,7 @@ Definiteness by_eigenvalues(const Matrix& k, const Vector& scale) {
     }
   }
   result.margin = result.zero < n ? smallest / largest : 0;
+  result.doubtful = !(smallest > 8 * threshold);
   result.null_space.resize(n, result.zero);
   if (result.zero > 0) {  // K̂ v = 0 means K (D v) = 0. Zero eigenvalues stand together, after the negative ones.
     result.null_space = independent_columns(scale.asDiagonal() * lapack::symmetric_eigen(k).vectors.middleCols(result.negative, result.zero));
@@ -100,16 +102,18 @@ Definiteness by_eigenvalues(const Matrix& k, const Vector& scale) {
   return result;
 }
 
+Definiteness entry_by_entry(const Matrix& k) {
+  RankedFactor f = ranked_factor(k);
+  f.null_space.colwise().normalize();
+  return {f.negative, f.zero(), f.positive, std::move(f.null_space), f.smallest_kept, f.doubtful()};
+}
+
 Definiteness of_nonzero_rows(const Matrix& k) {
-  const bool large = k.rows() > eigenvalues_up_to;
-  if (large) {
-    if (auto decided = positive_by_cholesky(k)) return *decided;
-  }
+  if (k.rows() <= entry_by_entry_up_to) return entry_by_entry(k);
+  if (auto decided = positive_by_cholesky(k)) return *decided;
   const Vector scale = equilibrating_scale(k);
   const Matrix equilibrated = scaled(k, scale);
-  if (large) {
-    if (auto decided = regular_by_pivots(equilibrated)) return *decided;
-  }
+  if (auto decided = regular_by_pivots(equilibrated)) return *decided;
   return by_eigenvalues(equilibrated, scale);
 }
 

@@ -13,14 +13,14 @@ struct Definiteness {
   Index zero = 0;
   Index positive = 0;
   Matrix null_space;   ///< n × zero, columns of 2-norm 1 spanning null(K)
-  double margin = 1;   ///< of the equilibrated K: smallest over largest |eigenvalue| not called zero; beyond order 256 a reciprocal condition (1-norm)
+  double margin = 1;   ///< up to order 256 the least |pivot| over the terms it is made of; beyond, of the equilibrated K, smallest over largest |eigenvalue| not called zero, or a reciprocal condition (1-norm)
+  bool doubtful = false;  ///< what was not called zero comes within a factor of eight of it
 
   Sign sign() const;
 };
 
-/// Inertia of a symmetric matrix (n × n, 0 × 0 allowed). K is equilibrated first, K̂ = D K D with |K̂| rows near 1, so units do not matter.
-/// Eigenvalues λ of K̂ with |λ| ≤ 8 n ε max|λ| are zero: a backward error of that size makes them so. Beyond order 256 a Cholesky, then a Bunch–Kaufman
-/// factorisation decides where pivots and condition both leave no doubt.
+/// Inertia of a symmetric matrix (n × n, 0 × 0 allowed). Up to order 256 zero is decided entry by entry (RankedFactor), so that neither units nor gradings matter. Beyond, a Cholesky, then a
+/// Bunch–Kaufman factorisation decides where pivots and condition both leave no doubt; else eigenvalues λ of the equilibrated K with |λ| ≤ 8 n ε max|λ| are zero.
 Definiteness definiteness(const Matrix& k);
 
 }  // namespace gyromode

@@ -180,6 +180,12 @@ Vector noise_of_vectors(const Vector& ascending, double noise) {
 
 }  // namespace
 
+ReversingSymmetry ReversingSymmetry::in_units(const Units& units) const {
+  const auto inverse = units.coordinate.cwiseInverse();
+  const double t = units.time;
+  return {inverse.asDiagonal() * in_phase, inverse.asDiagonal() * in_quadrature, t * coupling, t * (t * stiffness1), t * (t * stiffness2)};
+}
+
 Matrix ReversingSymmetry::reflection(const Matrix& mass) const {
   return 2 * lapack::multiply(in_phase, lapack::multiply_tn(in_phase, mass)) - Matrix::Identity(mass.rows(), mass.rows());
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gyromode/system/system.h"
+#include "gyromode/system/units.h"
 
 #include <optional>
 
@@ -18,6 +19,8 @@ struct ReversingSymmetry {
 
   /// R = 2·in_phase·in_phaseᵀM − 1, n × n, in the coordinates of q.
   Matrix reflection(const Matrix& mass) const;
+  /// The same in other units of the coordinates and of time.
+  ReversingSymmetry in_units(const Units& units) const;
 };
 
 /// The outcome of a search. In mass-normalised coordinates k, Γ, with R orthogonal, the breach of (T7) is max(‖kR − Rk‖/2‖k‖, ‖ΓR + RΓ‖/2‖Γ‖), Frobenius norms.

@@ -24,6 +24,31 @@ Vector equilibrate(const AnyMatrix& a) {
 
 }  // namespace
 
+std::pair<Vector, Vector> own_weights_of_coupling(const Matrix& b) {
+  constexpr int sweeps = 8;
+  Vector rows = Vector::Ones(b.rows()), columns = Vector::Ones(b.cols());
+  const auto step = [](double largest) { return largest > 0 ? 1 / std::sqrt(largest) : 1; };
+  Vector row_largest(b.rows());
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    row_largest.setZero();
+    Vector column_largest(b.cols());
+    for (Index k = 0; k < b.cols(); ++k) {
+      const auto size = (rows.array() * b.col(k).array().abs() * columns(k)).eval();
+      column_largest(k) = size.size() > 0 ? size.maxCoeff() : 0;
+      row_largest = row_largest.array().max(size);
+    }
+    rows = rows.array() * row_largest.unaryExpr(step).array();
+    columns = columns.array() * column_largest.unaryExpr(step).array();
+    const auto settled = [](const Vector& v) { return ((v.array() == 0) || (v.array() > 0.5 && v.array() < 2)).all(); };
+    if (settled(row_largest) && settled(column_largest)) break;
+  }
+  const auto weights = [](const Vector& scale, const Vector& largest) { return Vector((largest.array() > 0).select(scale.array().square().inverse(), 0)); };
+  Vector column_largest = b.rows() > 0 ? Vector(b.cwiseAbs().colwise().maxCoeff().transpose()) : Vector(Vector::Zero(b.cols()));
+  return {weights(rows, row_largest), weights(columns, column_largest)};
+}
+
+Vector own_weights(const Matrix& a) { return own_weights_of_coupling(a).first; }
+
 double power_of_two_near(double x) { return x == 0 ? 1 : std::exp2(std::round(std::log2(x))); }
 
 Vector unit_diagonal_scale(const Matrix& a) {

@@ -2,6 +2,8 @@
 
 #include "gyromode/lapack/types.h"
 
+#include <utility>
+
 namespace gyromode {
 
 /// Diagonal scalings d, all powers of two so that they add no rounding. D A D keeps inertia, definiteness and the roots of a system
@@ -14,6 +16,12 @@ Vector unit_diagonal_scale(const Matrix& a);
 /// zeros keep d_i = 1. For indefinite matrices, whose diagonal says little.
 Vector equilibrating_scale(const Matrix& a);
 Vector equilibrating_scale(const ComplexMatrix& a);
+
+/// w with |a_ik| ≤ √(w_i w_k) up to a factor of two, near equality somewhere in every row; 0 for rows of zeros. For a square matrix with |a_ik| = |a_ki|: how large an entry is in its own
+/// place. By Ruiz's sweeps.
+Vector own_weights(const Matrix& a);
+/// The same for the rows and the columns of a block b that couples two groups.
+std::pair<Vector, Vector> own_weights_of_coupling(const Matrix& b);
 
 /// D A D.
 Matrix scaled(const Matrix& a, const Vector& d);

@@ -1,0 +1,87 @@
+#include "gyromode/certificate/assess_unstable.h"
+
+#include "gyromode/lapack/multiply.h"
+
+#include <cmath>
+#include <limits>
+
+namespace gyromode {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+ComplexMatrix times(const Matrix& a, const ComplexMatrix& x) {
+  ComplexMatrix y(a.rows(), x.cols());
+  y.real() = lapack::multiply(a, x.real());
+  y.imag() = lapack::multiply(a, x.imag());
+  return y;
+}
+
+ComplexMatrix times_transposed(const Matrix& a, const ComplexMatrix& x) {
+  ComplexMatrix y(a.cols(), x.cols());
+  y.real() = lapack::multiply_tn(a, x.real());
+  y.imag() = lapack::multiply_tn(a, x.imag());
+  return y;
+}
+
+}  // namespace
+
+CharacteristicProducts characteristic_products(const Impedance& h, const ComplexMatrix& x) {
+  if (!h.quadrature()) return {times(h.stiffness_rr(), x), times(h.gyroscopic_ri(), x), times(h.mass_rr(), x)};
+  const Index p = h.split();
+  const Index r = h.size() - p;
+  const ComplexMatrix first = x.topRows(p), second = x.bottomRows(r);
+  CharacteristicProducts y{ComplexMatrix(x.rows(), x.cols()), ComplexMatrix(x.rows(), x.cols()), ComplexMatrix(x.rows(), x.cols())};
+  y.k.topRows(p) = times(h.stiffness_rr(), first);
+  y.k.bottomRows(r) = times(h.stiffness_ii(), second);
+  y.g.topRows(p) = times(h.gyroscopic_ri(), second);
+  y.g.bottomRows(r) = -times_transposed(h.gyroscopic_ri(), first);
+  y.m.topRows(p) = times(h.mass_rr(), first);
+  y.m.bottomRows(r) = times(h.mass_ii(), second);
+  return y;
+}
+
+void correct_unstable(const Impedance& h, dense::UnstableRoots& roots) {
+  if (roots.count() == 0) return;
+  const CharacteristicProducts p = characteristic_products(h, roots.right);
+  constexpr int steps = 2;
+  for (Index i = 0; i < roots.count(); ++i) {
+    const auto y = roots.left.col(i);
+    const Complex k = y.dot(p.k.col(i)), g = y.dot(p.g.col(i)), m = y.dot(p.m.col(i));
+    Complex& lambda = roots.lambda[static_cast<std::size_t>(i)];
+    const bool real = lambda.imag() == 0;
+    for (int step = 0; step < steps; ++step) {
+      Complex change = -(k + lambda * (g + lambda * m)) / (g + 2.0 * lambda * m);
+      if (real) change = change.real();
+      const Complex next = lambda + change;
+      if (!(std::abs(change) <= 1e-3 * std::abs(lambda)) || !(next.real() > 0) || (!real && !(next.imag() > 0))) break;
+      lambda = next;
+    }
+  }
+}
+
+Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots) {
+  const Index u = roots.count();
+  Assessment::Unstable a{Vector(u), Vector(u), Vector(u), Vector(u)};
+  if (u == 0) return a;
+  const CharacteristicProducts p = characteristic_products(h, roots.right);
+  const double rounding = (2 + std::sqrt(static_cast<double>(h.size()))) * epsilon;
+  for (Index i = 0; i < u; ++i) {
+    const Complex lambda = roots.lambda[static_cast<std::size_t>(i)];
+    const double size = std::abs(lambda);
+    const ComplexVector r = p.k.col(i) + lambda * p.g.col(i) + (lambda * lambda) * p.m.col(i);
+    const auto x = roots.right.col(i), y = roots.left.col(i);
+    const Vector weight = h.weight(size);
+    const double slope = std::abs(y.dot(p.g.col(i) + 2.0 * lambda * p.m.col(i)));
+    const double own_x = weight.dot(x.cwiseAbs2()), own_y = weight.dot(y.cwiseAbs2());
+    const double own_scale = std::sqrt(own_x * own_y);
+    a.residual(i) = h.given_residual(r, x, size);
+    a.own_residual(i) = std::sqrt((weight.array() > 0).select(r.cwiseAbs2().cwiseQuotient(weight), 0).sum() / own_x);
+    a.error_bound(i) = (y.cwiseAbs().dot(r.cwiseAbs()) + rounding * own_scale) / slope;
+    a.sensitivity(i) = own_scale / slope;
+  }
+  return a;
+}
+
+}  // namespace gyromode

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "gyromode/certificate/assess.h"
+
+namespace gyromode {
+
+/// KX, GX and MX for every column of X (n × u, complex), in the order of the impedance.
+struct CharacteristicProducts {
+  ComplexMatrix k, g, m;
+};
+CharacteristicProducts characteristic_products(const Impedance& h, const ComplexMatrix& x);
+
+/// Moves every λ to the root of YᴴN(λ)X = 0 near it, N(λ) = K + λG + λ²M: two steps of Newton's method at most, each a small part of |λ|. A real λ stays real.
+void correct_unstable(const Impedance& h, dense::UnstableRoots& roots);
+/// What Assessment says of roots off the axis.
+Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots);
+
+}  // namespace gyromode

@@ -1,0 +1,82 @@
+#include "gyromode/structure/ranked_skew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace gyromode {
+
+namespace {
+
+struct Pivot {
+  Index i = 0, k = 0;
+  double size = 0;
+};
+
+Pivot largest(const Matrix& s, Index from) {
+  Pivot p;
+  for (Index k = from; k < s.cols(); ++k) {
+    for (Index i = k + 1; i < s.rows(); ++i) {
+      if (std::abs(s(i, k)) > p.size) p = {i, k, std::abs(s(i, k))};
+    }
+  }
+  return p;
+}
+
+}  // namespace
+
+// With the pair first, S = [g J, −Bᵀ; B, S₂], J = [0 −1; 1 0]: the Schur complement is S₂ + B(gJ)⁻¹Bᵀ = S₂ + (b₁b₂ᵀ − b₂b₁ᵀ)/g, and null vectors (t, z) have t = (gJ)⁻¹Bᵀz = (b₂ᵀz, −b₁ᵀz)/g.
+RankedSkew ranked_skew(Matrix s, Matrix terms) {
+  const Index n = s.rows();
+  const double zero = 8 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+  std::vector<Index> order(static_cast<std::size_t>(n));
+  std::iota(order.begin(), order.end(), Index{0});
+  RankedSkew f;
+  Matrix t = Matrix::Zero(n, n);  // rows of pivots: what they are in a null vector
+  const auto exchange = [&](Index a, Index b) {
+    if (a == b) return;
+    for (Matrix* m : {&s, &terms}) {
+      m->row(a).swap(m->row(b));
+      m->col(a).swap(m->col(b));
+    }
+    t.col(a).swap(t.col(b));
+    std::swap(order[static_cast<std::size_t>(a)], order[static_cast<std::size_t>(b)]);
+  };
+  const auto drop_rounding = [&](Index from) {
+    for (Index k = from; k < n; ++k) {
+      for (Index i = from; i < n; ++i) {
+        if (std::abs(s(i, k)) <= zero * terms(i, k)) s(i, k) = 0;
+      }
+    }
+  };
+  drop_rounding(0);
+  Index at = 0;
+  for (; at + 1 < n; at += 2) {
+    const Pivot p = largest(s, at);
+    if (p.size == 0) break;
+    exchange(at, p.k);
+    exchange(at + 1, p.i);  // p.i > p.k ≥ at
+    const double g = s(at + 1, at);
+    f.smallest_kept = std::min(f.smallest_kept, std::abs(g) / terms(at + 1, at));
+    const Index rest = n - at - 2;
+    const Vector b1 = s.col(at).tail(rest), b2 = s.col(at + 1).tail(rest);
+    t.row(at).tail(rest) = b2.transpose() / g;
+    t.row(at + 1).tail(rest) = -b1.transpose() / g;
+    const Vector t1 = terms.col(at).tail(rest), t2 = terms.col(at + 1).tail(rest);
+    s.bottomRightCorner(rest, rest) += (b1 * b2.transpose() - b2 * b1.transpose()) / g;
+    terms.bottomRightCorner(rest, rest) += (b1.cwiseAbs() * t2.transpose() + b2.cwiseAbs() * t1.transpose()) / std::abs(g);
+    drop_rounding(at + 2);
+  }
+  f.regular.assign(order.begin(), order.begin() + at);
+  f.free.assign(order.begin() + at, order.end());
+  const Index free = n - at;
+  Matrix all = Matrix::Zero(n, free);  // in the order of elimination
+  all.bottomRows(free).setIdentity();
+  for (Index i = at - 1; i >= 0; --i) all.row(i) = t.row(i).tail(n - i - (i % 2 == 0 ? 2 : 1)) * all.bottomRows(n - i - (i % 2 == 0 ? 2 : 1));
+  f.null_space = Matrix::Zero(n, free);
+  for (Index i = 0; i < n; ++i) f.null_space.row(order[static_cast<std::size_t>(i)]) = all.row(i);
+  return f;
+}
+
+}  // namespace gyromode

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "gyromode/lapack/types.h"
+
+#include <vector>
+
+namespace gyromode {
+
+/// What a real skew matrix S is, entry by entry: pairs of pivots ±g by complete pivoting, an entry of a Schur complement being zero once it is below rounding of the terms that it is made of (as in RankedFactor). The
+/// zero pattern of a partition (S couples two groups, and nothing within one) is kept.
+struct RankedSkew {
+  std::vector<Index> regular;  ///< the pivots, two by two: S restricted to them is regular
+  std::vector<Index> free;     ///< the others: dim null(S)
+  Matrix null_space;           ///< n × free, the unit matrix in the rows `free`
+  double smallest_kept = 1;    ///< the least |pivot| over its terms
+};
+
+/// `terms`: the size of what each entry was computed from. n × n.
+RankedSkew ranked_skew(Matrix s, Matrix terms);
+
+}  // namespace gyromode
