@@ -1,5 +1,7 @@
 #include "gyromode/impedance/growing_root.h"
 
+#include "gyromode/impedance/singularity.h"
+
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
@@ -12,24 +14,6 @@ namespace {
 ComplexMatrix block_at(const BlockedImpedance& h, const Block& b, const Complex& z) {
   const ComplexMatrix whole = h.impedance.at(z);
   return whole(b.coordinates, b.coordinates);
-}
-
-// Rows and columns scaled to 1: what singular means may not depend on the fields' factors.
-ComplexMatrix equilibrated(ComplexMatrix a) {
-  for (Index i = 0; i < a.rows(); ++i) {
-    const double size = a.row(i).cwiseAbs().maxCoeff();
-    if (size > 0) a.row(i) /= size;
-  }
-  for (Index i = 0; i < a.cols(); ++i) {
-    const double size = a.col(i).cwiseAbs().maxCoeff();
-    if (size > 0) a.col(i) /= size;
-  }
-  return a;
-}
-
-double relative_singularity(const ComplexMatrix& a) {
-  const auto s = Eigen::JacobiSVD<ComplexMatrix>(equilibrated(a)).singularValues();
-  return s(s.size() - 1) / s(0);
 }
 
 Complex bordered(const ComplexMatrix& a, const ComplexVector& u, const ComplexVector& v) {
@@ -75,7 +59,7 @@ std::optional<GrowingRoot> growing_root(const BlockedImpedance& h, Index block, 
   const double omega = divergence ? 0 : z.real();
   constexpr double certainty = 1e4;  // growth rates nearer to rounding are no growth
   if (!settled || !(growth > certainty * rounding * size) || omega < 0) return std::nullopt;
-  if (!(relative_singularity(block_at(h, b, z)) <= 1e5 * rounding)) return std::nullopt;
+  if (!(relative_singularity(equilibrated_block(h, b, z)) <= 1e5 * rounding)) return std::nullopt;
   return GrowingRoot{block, growth, omega, b.copies()};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/impedance/certified_roots.h"
+#include "gyromode/impedance/divergence.h"
 
 #include <optional>
 

@@ -92,7 +92,7 @@ std::string SpacecraftSolution::path() const {
   return fmt::format("exact fields, poles lifted: {} {} apart ({}{}), roots bisected on the count{}", all, all == 1 ? "block" : "blocks",
                      real == all ? "all real symmetric" : fmt::format("{} real symmetric, {} Hermitian", real, all - real),
                      local > 0 ? fmt::format(", {} boom patterns without the body", local) : "",
-                     roots_.needs_seeds() ? " with signs; negative energy and growth from a twin of finite elements, made exact" : "");
+                     !roots_.indefinite() ? "" : roots_.asked_for_seeds() ? " with signs; negative energy and growth from the signs and from a twin of finite elements, made exact" : " with signs; negative energy and growth from the signs");
 }
 
 double SpacecraftSolution::above_all() const {
