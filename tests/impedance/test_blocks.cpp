@@ -41,7 +41,7 @@ class TwoOscillators : public LiftedImpedance {
 TEST(Blocks, ACouplingThatVanishesAtSamplesIsACoupling) {
   for (const std::vector<double>& zeros : {std::vector<double>{}, {0.6180339887, 1.7320508076, 4.6692016091}, {1.0}, {0.5, 1, 2, 3, 4}}) {
     const TwoOscillators impedance(zeros);
-    const CertifiedRoots roots(impedance, {}, {}, 0, [] { return Seeds{}; });
+    const CertifiedRoots roots(impedance, {}, {}, 0, [](Index) { return std::nullopt; });
     ASSERT_EQ(roots.blocked().blocks.size(), 1u);
     const std::vector<Root> found = roots.between(0, 1.5);
     ASSERT_EQ(found.size(), 2u);

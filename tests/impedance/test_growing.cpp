@@ -33,7 +33,7 @@ class OnAHill : public LiftedImpedance {
 
 // No seeds are given: what is found follows from the impedance alone.
 CertifiedRoots roots_of(const OnAHill& h) {
-  return CertifiedRoots(h, {}, {}, 0, [] { return Seeds{}; });
+  return CertifiedRoots(h, {}, {}, 0, [](Index) { return std::nullopt; });
 }
 
 TEST(Growing, OneDivergenceHoweverSlow) {
@@ -78,7 +78,7 @@ TEST(Growing, FlutterNeedsASeed) {
   const OnAHill h(2, -1, -4);  // |√4 − √1| < g < √4 + √1
   EXPECT_FALSE(roots_of(h).closed());
   const double growth = 0.5 * std::sqrt(9 - 4.0), omega = std::sqrt(2 - growth * growth);
-  const CertifiedRoots roots(h, {}, {}, 0, [&] { return Seeds{{}, {Complex(1.02 * growth, 0.97 * omega)}}; });
+  const CertifiedRoots roots(h, {}, {}, 0, [&](Index attempt) { return attempt == 0 ? std::optional(Seeds{{}, {Complex(1.02 * growth, 0.97 * omega)}}) : std::nullopt; });
   EXPECT_TRUE(roots.closed());
   EXPECT_TRUE(roots.asked_for_seeds());
   ASSERT_EQ(roots.growing().size(), 1u);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -55,15 +56,16 @@ TEST(SatelliteBorders, ABodyWithWires) {
   expect_values(over_j3(100, 100, 110, 1, ring({0, 180}, 0.5, 0, 3, 0.01, 0.1), {}, grid(80, 130, 5)), {99.59, 110}, 1e-9);
 }
 
-// Four long wires between the axes, two soft booms: two critical values as far apart as J₁ and J₂, and flutter from 108.98 to 110.93, whose ends are known to the band that has no verdict.
+// Four long wires between the axes, two soft booms: two critical values as far apart as J₁ and J₂, and flutter from 108.98 to 110.93, whose ends are
+// known to the band that has no verdict.
 TEST(SatelliteBorders, ASatelliteWithBooms) {
   const auto wires = ring({45, 135, 225, 315}, 0.9, 0.05, 40, 1.1e-3, 0.12);
   const std::vector<Beam> beams{{0.6, true, 6, 0.09, {900, 900}, 0.25}, {-0.6, false, 6, 0.09, {900, 900}, 0.25}};
   for (const auto& values : {grid(90, 190, 11), grid(100, 170, 8)}) {
     const StabilityMap m = over_j3(310, 98, 112, pi / 2, wires, beams, values);
     ASSERT_EQ(m.critical.size(), 4u);
-    EXPECT_NEAR(m.critical[0].value, 108.98039, 1e-4);
-    EXPECT_NEAR(m.critical[1].value, 110.93463, 1e-4);
+    EXPECT_NEAR(m.critical[0].value, 108.980409202, 2e-8);
+    EXPECT_NEAR(m.critical[1].value, 110.934648062, 2e-8);
     EXPECT_NEAR(m.critical[2].value, 129.60173720315, 1e-9);
     EXPECT_NEAR(m.critical[3].value, m.critical[2].value + 14, 1e-9);
     for (const StabilityMap::Cell& c : m.cells) EXPECT_TRUE(c.point.decided()) << c.values[0];
@@ -77,13 +79,20 @@ TEST(SatelliteBorders, DivergencesThatMeet) {
                               {{2.8507690511330983, 1, 0, 20, 0.03, 0.05}, {5.992361704722891, 1, 0, 20, 0.03, 0.05}},
                               {{0.28503602079697293, false, 1.4393721064437308, 0.2, {7.672069967616948, 28.77026237856355}, 1.0}}));
   };
-  for (const int n : {2, 3}) {
+  std::vector<CriticalValue> first;
+  for (const int n : {2, 3, 30}) {
     const StabilityMap m = map_stability([&](const std::vector<double>& v) { return at(v[0]); }, {grid(30.538955649674413, 218.8615797452521, n)});
     ASSERT_EQ(m.critical.size(), 3u) << n;
     EXPECT_NEAR(m.critical[0].value, 47.6573473, 2e-6);
     EXPECT_NEAR(m.critical[1].value, 111.9662163, 2e-6);
     EXPECT_NEAR(m.critical[2].value, 116.4994953762, 1e-9);
     EXPECT_LE(m.evaluations, 3 * 64);
+    // A bracket is true: those of all grids meet.
+    if (first.empty()) first = m.critical;
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_LE(std::max(first[k].lo, m.critical[k].lo), std::min(first[k].hi, m.critical[k].hi)) << n << ": " << k;
+      EXPECT_LE(m.critical[k].hi - m.critical[k].lo, 1e-6);
+    }
   }
 }
 

@@ -8,19 +8,21 @@
 
 namespace gyromode {
 
-CertifiedRoots::CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const std::function<Seeds()>& seeds)
+CertifiedRoots::CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const SeedSource& seeds)
     : blocked_(impedance), static_(static_count(blocked_, free, cyclic, zeros)) {
   if (!indefinite()) return;
   for (Index b = 0; b < static_cast<Index>(blocked_.blocks.size()); ++b) {
     if (missing(b) <= 0) continue;
     for (const GrowingRoot& g : divergences(blocked_, b)) growing_.push_back(g);
-    if (missing(b) > 0) add(falls(blocked_, b));
+    if (missing(b) > 0) add(falls(blocked_, b, samples_of_all_decades()));
   }
-  if (closed()) return;
-  asked_for_seeds_ = true;
-  const Seeds given = seeds();
-  find_growing(given.growing);
-  find_negative(given.negative_energy);
+  for (Index attempt = 0; !closed(); ++attempt) {
+    const std::optional<Seeds> given = seeds(attempt);
+    if (!given) return;
+    asked_for_seeds_ = true;
+    find_growing(given->growing);
+    find_negative(given->negative_energy);
+  }
 }
 
 bool CertifiedRoots::indefinite() const {
@@ -54,21 +56,11 @@ void CertifiedRoots::add(std::vector<Root> negative) {
   std::sort(negative_.begin(), negative_.end(), [](const Root& a, const Root& b) { return a.omega < b.omega; });
 }
 
-// Around the seed the count must fall by one: where it does, and the eigenvalue there rises, is a mode of negative energy, whatever the seed was.
+// Where J falls near the seed is a mode of negative energy, whatever the seed was.
 void CertifiedRoots::find_negative(const std::vector<double>& seeds) {
   for (const double seed : seeds) {
-    for (std::size_t b = 0; b < blocked_.blocks.size(); ++b) {
-      if (missing(static_cast<Index>(b)) <= 0) continue;
-      constexpr double narrowest = 1e-10, widest = 0.03;
-      for (double width = narrowest; width < widest; width *= 3) {
-        const double lo = seed * (1 - width), hi = seed * (1 + width);
-        const BlockState before = state_of(blocked_.blocks[b], blocked_.impedance.at(lo));
-        const BlockState after = state_of(blocked_.blocks[b], blocked_.impedance.at(hi));
-        if (before.count - after.count != 1) continue;
-        const Bracket bracket{static_cast<Index>(b), lo, hi, 1, before.count, -1, crossing(before, before.count, -1), crossing(after, before.count, -1)};
-        add({converge(blocked_, bracket).front()});
-        break;
-      }
+    for (Index b = 0; b < static_cast<Index>(blocked_.blocks.size()); ++b) {
+      if (missing(b) > 0) add(falls(blocked_, b, samples_around(seed)));
     }
   }
 }

@@ -4,6 +4,8 @@
 #include "gyromode/impedance/divergence.h"
 #include "gyromode/impedance/static_count.h"
 
+#include <optional>
+
 namespace gyromode {
 
 /// Where roots that do not follow the count may be: modes of negative energy and growing motions of an approximation of the same system. They start iterations on the exact impedance;
@@ -20,8 +22,10 @@ struct Seeds {
 /// and falls of J are looked for over all decades of σ and ω, for they may be as slow as a verdict is near; what is then missing, flutter first of all, starts from seeds.
 class CertifiedRoots {
  public:
-  /// `seeds` is asked for only where the static stiffness is indefinite and divergence and falls of J do not meet (T12).
-  CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const std::function<Seeds()>& seeds);
+  /// Seeds of one approximation after another, finer ones later: attempt 0, 1, …, until there are no more.
+  using SeedSource = std::function<std::optional<Seeds>(Index attempt)>;
+  /// `seeds` are asked for only where the static stiffness is indefinite, and as long as the roots found do not meet (T12).
+  CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const SeedSource& seeds);
 
   const BlockedImpedance& blocked() const { return blocked_; }
   const StaticCount& at_zero() const { return static_; }
