@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace gyromode {
@@ -69,6 +70,21 @@ TEST(SatelliteBorders, ASatelliteWithBooms) {
     EXPECT_NEAR(m.critical[2].value, 129.60173720315, 1e-9);
     EXPECT_NEAR(m.critical[3].value, m.critical[2].value + 14, 1e-9);
     for (const StabilityMap::Cell& c : m.cells) EXPECT_TRUE(c.point.decided()) << c.values[0];
+  }
+}
+
+// Three masses on springs that the spin makes soft, one after the other: √(k/m) = √20 is the critical spin of those that move against each other. Ten and more digits on any grid.
+TEST(SatelliteBorders, SoftSprings) {
+  constexpr double rigid = std::numeric_limits<double>::infinity();
+  const auto at = [&](double spin) {
+    return verdict(Spacecraft(spin, {100, Eigen::Vector3d(100, 110, 150).asDiagonal()}, {}, {},
+                              {{{0, 0, 0.5}, 2, {8, 20, 50}}, {{0.6, 0, 0}, 1, {8, 20, rigid}}, {{-0.6, 0, 0}, 1, {8, 20, rigid}}}));
+  };
+  for (const int n : {8, 21, 24}) {
+    const StabilityMap m = map_stability([&](const std::vector<double>& v) { return at(v[0]); }, {grid(0.3, 6, n)});
+    const std::vector<double> expected{2.009343907646, 2.855843860553, 2.857114783162, 3.172894202731, std::sqrt(20.0), 4.517492930624, 4.586602037863, 4.905706975389};
+    ASSERT_EQ(m.critical.size(), expected.size()) << n;
+    for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(m.critical[k].value, expected[k], 1e-9) << n;
   }
 }
 
