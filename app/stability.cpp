@@ -68,6 +68,16 @@ StabilityPoint verdict_at(const io::VariedModel& varied, const std::vector<std::
   }
 }
 
+// What a map may take: a million verdicts of some milliseconds are an hour or more.
+void require_bounded(const std::vector<Axis>& axes) {
+  constexpr std::size_t most_cells = 1000000;
+  std::size_t cells = 1;
+  for (const Axis& axis : axes) cells *= axis.values.size();
+  if (cells > most_cells) {
+    throw UsageError(fmt::format("--vary: {} × {} = {} cells are more than the {} that a map may have: ask for fewer values", axes[0].values.size(), axes[1].values.size(), cells, most_cells));
+  }
+}
+
 StabilityMap mapped(const Options& o, const std::vector<Axis>& axes, std::vector<std::string>& keys) {
   const io::VariedModel varied{std::filesystem::path(o.source.model)};
   std::vector<std::vector<double>> values;
@@ -97,6 +107,7 @@ int run(const Options& o) {
   for (const std::string& text : o.vary) axes.push_back(axis_of(text));
   if (axes.size() == 2 && axes[0].key == axes[1].key) throw UsageError(fmt::format("--vary: '{}' is given twice", axes[0].key));
   if (axes.size() > 2) throw UsageError("--vary: one parameter, or two for a chart");
+  require_bounded(axes);
   if (!axes.empty() && o.source.model.empty()) throw UsageError("--vary changes numbers of a model file: give one instead of --mass and --stiffness");
   Job job(o.source, o.output);
   o.source.remark_on_tolerance(o.output);

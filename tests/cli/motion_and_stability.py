@@ -123,6 +123,12 @@ class Vary(WithFolder):
         self.assertAlmostEqual(r["critical"][0]["value"], math.sqrt(200000), delta=1e-8)
         self.assertAlmostEqual(r["critical"][1]["value"], 1000, delta=1e-8)
         self.assertEqual(r["critical"][0]["key"], "spin")
+        for c in r["critical"]:
+            self.assertLessEqual(c["bracket"][0], c["value"])
+            self.assertLess(c["bracket"][1] - c["bracket"][0], 1e-10)
+        self.assertEqual(r["critical"][0]["motions"]["to"], {"real_pairs": 1, "quadruples": 0, "negative_energy": 0})
+        self.assertEqual(r["evaluations"]["cells"], 25)
+        self.assertLess(r["evaluations"]["between"], 200)
 
     def test_chart(self):
         r = self.json("stability", SPRINGS, "--vary", "spin=1000rpm:12000rpm:12", "--vary", "stiffness[0][0]=2e4:1e5:5")
@@ -160,6 +166,8 @@ class Vary(WithFolder):
         self.refused(1, ["'known.frequencies[0]'"], "stability", SPRINGS, "--vary", "known.frequencies[0]=1:2:3")
         self.refused(1, ["given twice"], "stability", SPRINGS, "--vary", "spin=1:2:3", "--vary", "spin=1:2:3")
         self.refused(1, ["no number"], "stability", SPRINGS, "--vary", "title=1:2:3")
+        self.refused(1, ["100000 × 50000 = 5000000000 cells", "1000000"], "stability", SPRINGS, "--vary", "spin=1:2:100000", "--vary", "mass[0][0]=1:2:50000")
+        self.refused(1, ["1001 × 1000 = 1001000 cells"], "stability", SPRINGS, "--vary", "spin=1:2:1001", "--vary", "mass[0][0]=1:2:1000")
         self.refused(1, ["two for a chart"], "stability", SPRINGS, "--vary", "spin=1:2:3", "--vary", "mass[0][0]=1:2:3", "--vary", "mass[1][1]=1:2:3")
 
     def test_margins_and_damping(self):

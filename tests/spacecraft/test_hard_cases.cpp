@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -123,6 +124,36 @@ TEST(HardCases, DiscreteListsWhatExactLists) {
       EXPECT_EQ(exact.modes[i].kind, discrete.modes[i].kind);
     }
     EXPECT_EQ(exact.stability, discrete.stability);
+  }
+}
+
+// The middle of the window is a mode of negative energy, and one of positive energy is beside it: on it the count is one of two, and each root has to stay where it is.
+TEST(HardCases, WindowsAroundAModeOfNegativeEnergy) {
+  constexpr double rigid = std::numeric_limits<double>::infinity();
+  for (const double spin : {4.905717, 4.905718, 4.90572, 4.905722, 4.90573, 4.906, 4.91}) {
+    const Spacecraft s(spin, {100, Eigen::Vector3d(100, 110, 150).asDiagonal()}, {}, {},
+                       {{{0, 0, 0.5}, 2, {8, 20, 50}}, {{0.6, 0, 0}, 1, {8, 20, rigid}}, {{-0.6, 0, 0}, 1, {8, 20, rigid}}});
+    ModesOptions options;
+    options.window = {0.1, 3};
+    const ModesResult all = find_modes(s, options);
+    ASSERT_EQ(all.modes.size(), 4u);
+    EXPECT_EQ(word(all.stability), "gyroscopically_stabilised");
+    EXPECT_NEAR(all.opposite_gap, 1 - all.modes[2].omega / all.modes[3].omega, 1e-11) << spin;
+    for (const Mode& m : all.negative_modes) {
+      for (const double around : {0.5, 0.25, 0.1}) {
+        options.window = {(1 - around) * m.omega, (1 + around) * m.omega};
+        const ModesResult some = find_modes(s, options);
+        EXPECT_EQ(some.coverage.status, CoverageStatus::complete) << some.coverage.reason;
+        std::size_t expected = 0;
+        for (const Mode& other : all.modes) expected += options.window.contains(other.omega) ? 1 : 0;
+        ASSERT_EQ(some.modes.size(), expected);
+        for (const Mode& found : some.modes) {
+          EXPECT_TRUE(std::any_of(all.modes.begin(), all.modes.end(),
+                                  [&](const Mode& o) { return o.energy_sign == found.energy_sign && std::abs(o.omega - found.omega) <= 1e-11 * o.omega; }))
+              << spin << ", " << found.omega;
+        }
+      }
+    }
   }
 }
 

@@ -43,7 +43,7 @@ Spacecraft satellite(const Json& model) {
 // The roots of the block that holds coordinate `of` of the body, below `below` spins, over the spin.
 std::vector<double> roots_of_class(const Spacecraft& s, Index of, double below) {
   const SpacecraftImpedance impedance(s);
-  const CertifiedRoots roots(impedance, SpacecraftImpedance::free_coordinates(), SpacecraftImpedance::cyclic_coordinates(), 0, [] { return Seeds{}; });
+  const CertifiedRoots roots(impedance, SpacecraftImpedance::free_coordinates(), SpacecraftImpedance::cyclic_coordinates(), 0, [](Index) { return std::nullopt; });
   EXPECT_TRUE(roots.closed());
   std::vector<double> found;
   for (const Root& r : roots.between(0, below)) {

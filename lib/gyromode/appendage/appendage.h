@@ -2,6 +2,7 @@
 
 #include "gyromode/appendage/turning.h"
 #include "gyromode/appendage/mass_properties.h"
+#include "gyromode/impedance/couplings.h"
 #include "gyromode/impedance/lifted.h"
 
 #include <string>
@@ -28,6 +29,8 @@ class Appendage {
   virtual Index coordinates() const = 0;
   /// Mass and moments, frozen in the steady place.
   virtual MassProperties rigid() const = 0;
+  /// Adds what couples what in the matrices of add(), at any frequency, from the geometry alone: an entry that is not stated here is exactly zero there.
+  virtual void couple(Couplings& to, Index first) const = 0;
   /// Adds to the matrix its share of the body's six rows and columns, and its own rows and columns from `first` on; ω in rad per unit of time, > 0 or the limit 0.
   virtual void add(double omega, Lifted& to, Index first) const = 0;
   /// The same continued to complex ω (growth rate −Im ω): not Hermitian, analytic; `held` is left alone.

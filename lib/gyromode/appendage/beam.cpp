@@ -1,5 +1,7 @@
 #include "gyromode/appendage/beam.h"
 
+#include "gyromode/appendage/row_kinds.h"
+
 #include <cmath>
 
 namespace gyromode {
@@ -72,6 +74,14 @@ BeamAppendage::Rows BeamAppendage::loads(const T& omega, const T (&phi)[2], Comp
   r(1, 3) = beam_.way() * l * tilt1;
   r(1, 4) = beam_.way() * l * tilt2;
   return r;
+}
+
+// Both loads of both cantilevers: ξ1 and θ2 real, ξ2 and θ1 imaginary.
+void BeamAppendage::couple(Couplings& to, Index first) const {
+  using enum EntryKind;
+  constexpr RowKinds load{real, imaginary, none, imaginary, real, none};
+  add_product(to, load, load);
+  for (Index k = 0; k < 2; ++k) add_row(to, first + k, load);
 }
 
 template <class T>

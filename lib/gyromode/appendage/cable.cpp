@@ -1,5 +1,7 @@
 #include "gyromode/appendage/cable.h"
 
+#include "gyromode/appendage/row_kinds.h"
+
 #include <cmath>
 #include <limits>
 
@@ -178,6 +180,36 @@ const Eigen::Matrix<double, 2, 5> in_plane_loads = (Eigen::Matrix<double, 2, 5>(
 const Eigen::Matrix<double, 2, 3> out_of_plane_loads = (Eigen::Matrix<double, 2, 3>() << 0, 0, 1, 1, 1, 0).finished();
 
 }  // namespace
+
+namespace {
+
+// The kinds of in_plane_rows() and out_of_plane_rows().
+constexpr EntryKind o = EntryKind::none, r = EntryKind::real, i = EntryKind::imaginary;
+constexpr std::array<RowKinds, 5> in_plane_kinds{{{r, i, o, o, o, o}, {i, r, o, o, o, o}, {o, o, o, i, r, o}, {o, o, o, r, i, o}, {o, o, o, o, o, r}}};
+constexpr std::array<RowKinds, 3> out_of_plane_kinds{{{o, o, o, r, o, o}, {o, o, o, o, r, o}, {o, o, r, o, o, o}}};
+
+// Features meet where their Gram matrix says so; a pattern meets the features that it answers to, of those that reach its kept coordinate; patterns that answer to none are equal.
+template <std::size_t features>
+void couple_field(const Patterns& patterns, const std::array<RowKinds, features>& rows, const std::array<bool, features>& reaches, Couplings& to, Index first) {
+  for (std::size_t f = 0; f < features; ++f) {
+    for (std::size_t g = 0; g < features; ++g) {
+      if (patterns.gram(static_cast<Index>(f), static_cast<Index>(g)) != 0) add_product(to, rows[f], rows[g]);
+    }
+    for (Index q = 0; q < patterns.coupled; ++q) {
+      if (reaches[f] && patterns.response(q, static_cast<Index>(f)) != 0) add_row(to, first + q, rows[f]);
+    }
+  }
+  for (Index q = patterns.coupled + 1; q < patterns.vectors.cols(); ++q) to.equal(first + patterns.coupled, first + q);
+}
+
+}  // namespace
+
+// Out of plane a wire hinged on the axis (a = 0) is not moved by θ_t: Q has the one entry I0.
+void CableGroup::couple(Couplings& to, Index first) const {
+  const bool turned = one_.radius != 0;
+  couple_field<5>(in_plane_, in_plane_kinds, {true, true, true, true, true}, to, first);
+  couple_field<3>(out_of_plane_, out_of_plane_kinds, {turned, turned, true}, to, first + count());
+}
 
 template <class T>
 void CableGroup::add_to(const T& omega, Lifted& to, Index first) const {

@@ -38,6 +38,7 @@ class CableGroup : public Appendage {
 
   Index coordinates() const override { return 2 * count(); }
   MassProperties rigid() const override;
+  void couple(Couplings& to, Index first) const override;
   void add(double omega, Lifted& to, Index first) const override { add_to(omega, to, first); }
   void add(Complex omega, Lifted& to, Index first) const override { add_to(omega, to, first); }
   Eigen::Vector2cd first_moment(double omega, const ComplexVector& body, const ComplexVector& own) const override;

@@ -1,5 +1,7 @@
 #include "gyromode/appendage/spring_mass.h"
 
+#include "gyromode/appendage/row_kinds.h"
+
 #include <cmath>
 
 namespace gyromode {
@@ -26,6 +28,15 @@ Eigen::Matrix<Complex, 3, body_coordinates> rows_of(const Turning<T>& f, const E
   return r;
 }
 
+// The kinds of rows_of(): a coordinate of the position that is zero takes its entries with it.
+std::array<RowKinds, 3> kinds_of_rows(const Eigen::Vector3d& at) {
+  using enum EntryKind;
+  const bool x = at(0) != 0, y = at(1) != 0, z = at(2) != 0;
+  const EntryKind r = z ? real : none, i = z ? imaginary : none;
+  const EntryKind turned1 = x ? (y ? complex : imaginary) : (y ? real : none), turned2 = x ? (y ? complex : real) : (y ? imaginary : none);
+  return {{{real, imaginary, none, i, r, turned1}, {imaginary, real, none, r, i, turned2}, {none, none, real, y ? real : none, x ? real : none, none}}};
+}
+
 }  // namespace
 
 SpringMassAppendage::SpringMassAppendage(const SpringMass& mass, double spin) : mass_(mass), spin_(spin) {
@@ -36,6 +47,12 @@ SpringMassAppendage::SpringMassAppendage(const SpringMass& mass, double spin) : 
 
 double SpringMassAppendage::scale(double omega, Index a) const {
   return 1 / std::sqrt(mass_.stiffness(sprung_[static_cast<std::size_t>(a)]) + mass_.mass * (omega * omega + spin_ * spin_));
+}
+
+void SpringMassAppendage::couple(Couplings& to, Index first) const {
+  const auto rows = kinds_of_rows(mass_.position);
+  for (Index a = 0; a < coordinates(); ++a) add_row(to, first + a, rows[static_cast<std::size_t>(sprung_[static_cast<std::size_t>(a)])]);
+  if (coordinates() > 1 && sprung_[0] == 0 && sprung_[1] == 1) to.add(first, first + 1, CouplingKind::cross);  // N₃
 }
 
 template <class T>

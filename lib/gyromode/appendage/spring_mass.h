@@ -20,6 +20,7 @@ class SpringMassAppendage : public Appendage {
 
   Index coordinates() const override { return static_cast<Index>(sprung_.size()); }
   MassProperties rigid() const override { return MassProperties::point(mass_.mass, mass_.position); }
+  void couple(Couplings& to, Index first) const override;
   void add(double omega, Lifted& to, Index first) const override { add_to(omega, to, first); }
   void add(Complex omega, Lifted& to, Index first) const override { add_to(omega, to, first); }
   Eigen::Vector2cd first_moment(double omega, const ComplexVector& body, const ComplexVector& own) const override;

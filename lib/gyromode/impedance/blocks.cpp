@@ -5,46 +5,10 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <limits>
 
 namespace gyromode {
 
 namespace {
-
-// Parts of entries up to this fraction of what their row and column hold are rounding.
-constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-
-// Any frequencies without a meaning, in units of the impedance.
-constexpr double samples[] = {0.6180339887, 1.7320508076, 4.6692016091};
-
-CouplingGraph couplings(const LiftedImpedance& impedance) {
-  const Index n = impedance.size();
-  CouplingGraph graph;
-  graph.neighbours.resize(static_cast<std::size_t>(n));
-  Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> real = Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic>::Constant(n, n, false);
-  auto imaginary = real;
-  for (const double omega : samples) {
-    const ComplexMatrix h = impedance.at(omega).matrix;
-    const Vector size = h.cwiseAbs().rowwise().maxCoeff().cwiseSqrt();
-    for (Index i = 0; i < n; ++i) {
-      for (Index k = 0; k < i; ++k) {
-        const double limit = rounding * size(i) * size(k);
-        real(i, k) = real(i, k) || std::abs(h(i, k).real()) > limit;
-        imaginary(i, k) = imaginary(i, k) || std::abs(h(i, k).imag()) > limit;
-      }
-    }
-  }
-  for (Index i = 0; i < n; ++i) {
-    for (Index k = 0; k < i; ++k) {
-      for (const auto& [coupled, kind] : {std::pair(real(i, k), CouplingKind::in_phase), std::pair(imaginary(i, k), CouplingKind::cross)}) {
-        if (!coupled) continue;
-        graph.neighbours[static_cast<std::size_t>(i)].push_back({k, kind});
-        graph.neighbours[static_cast<std::size_t>(k)].push_back({i, kind});
-      }
-    }
-  }
-  return graph;
-}
 
 Matrix real_block(const Block& b, const ComplexMatrix& h) {
   const Index n = b.size();
@@ -63,28 +27,16 @@ Matrix real_block(const Block& b, const ComplexMatrix& h) {
 
 ComplexMatrix complex_block(const Block& b, const ComplexMatrix& h) { return h(b.coordinates, b.coordinates); }
 
-// Equal blocks of one coordinate become one with twins.
-void merge_copies(std::vector<Block>& blocks, const LiftedImpedance& impedance) {
-  std::vector<Block> merged;
-  std::vector<ComplexVector> diagonals;
-  for (const double omega : samples) diagonals.push_back(impedance.at(omega).matrix.diagonal());
-  const auto equal = [&](const Block& a, const Block& b) {
-    return a.size() == 1 && b.size() == 1 &&
-           std::all_of(diagonals.begin(), diagonals.end(), [&](const ComplexVector& d) { return d(a.coordinates[0]) == d(b.coordinates[0]); });
-  };
-  for (Block& b : blocks) {
-    const auto twin = std::find_if(merged.begin(), merged.end(), [&](const Block& m) { return equal(m, b); });
-    if (twin != merged.end() && b.size() == 1) twin->twins.push_back(b.coordinates[0]);
-    else merged.push_back(std::move(b));
-  }
-  blocks = std::move(merged);
-}
-
 }  // namespace
 
-std::vector<Block> blocks_of(const LiftedImpedance& impedance) {
+std::vector<Block> blocks_of(const Couplings& couplings) {
   std::vector<Block> blocks;
-  for (const Component& c : partition(couplings(impedance))) {
+  for (const Component& c : partition(couplings.graph())) {
+    const Index first = couplings.first_of_equals(c.coordinates[0]);
+    if (first != c.coordinates[0]) {
+      std::find_if(blocks.begin(), blocks.end(), [&](const Block& b) { return b.coordinates[0] == first; })->twins.push_back(c.coordinates[0]);
+      continue;
+    }
     Block b;
     b.coordinates = c.coordinates;
     b.real = c.quadrature();
@@ -94,7 +46,6 @@ std::vector<Block> blocks_of(const LiftedImpedance& impedance) {
     }
     blocks.push_back(std::move(b));
   }
-  merge_copies(blocks, impedance);
   return blocks;
 }
 

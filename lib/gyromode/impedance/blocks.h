@@ -6,7 +6,7 @@
 
 namespace gyromode {
 
-/// Coordinates of a Lifted impedance that are coupled to each other and to no other, at any frequency. Where they part into two groups of which entries within are real and between
+/// Coordinates of a Lifted impedance that are coupled to each other and to no other, at any frequency, by the Couplings that its parts state. Where they part into two groups of which entries within are real and between
 /// imaginary (Boland & Janssens 1979, Eq. 8), T = diag(1, −j) makes the block real symmetric.
 struct Block {
   std::vector<Index> coordinates;
@@ -18,7 +18,8 @@ struct Block {
   Index size() const { return static_cast<Index>(coordinates.size()); }
 };
 
-std::vector<Block> blocks_of(const LiftedImpedance& impedance);
+std::vector<Block> blocks_of(const Couplings& couplings);
+inline std::vector<Block> blocks_of(const LiftedImpedance& impedance) { return blocks_of(impedance.couplings()); }
 
 /// A block at one frequency: its eigenvalues, ascending, and n₋ of what it stands for.
 struct BlockState {

@@ -1,60 +1,74 @@
 #include "gyromode/impedance/certified_roots.h"
 
 #include "gyromode/impedance/growing_root.h"
+#include "gyromode/impedance/negative_energy.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace gyromode {
 
-CertifiedRoots::CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const std::function<Seeds()>& seeds)
+CertifiedRoots::CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const SeedSource& seeds)
     : blocked_(impedance), static_(static_count(blocked_, free, cyclic, zeros)) {
-  if (!needs_seeds()) return;
-  const Seeds given = seeds();
-  find_growing(given.growing);
-  find_negative(given.negative_energy);
+  if (!indefinite()) return;
+  for (Index b = 0; b < static_cast<Index>(blocked_.blocks.size()); ++b) {
+    if (missing(b) <= 0) continue;
+    for (const GrowingRoot& g : divergences(blocked_, b)) growing_.push_back(g);
+    if (missing(b) > 0) add(falls(blocked_, b, samples_of_all_decades()));
+  }
+  for (Index attempt = 0; !closed(); ++attempt) {
+    const std::optional<Seeds> given = seeds(attempt);
+    if (!given) return;
+    asked_for_seeds_ = true;
+    find_growing(given->growing);
+    find_negative(given->negative_energy);
+  }
 }
 
-bool CertifiedRoots::needs_seeds() const {
+bool CertifiedRoots::indefinite() const {
   return std::any_of(static_.reduced.begin(), static_.reduced.end(), [](Index n) { return n > 0; });
+}
+
+// Of k_r + 2k_c + 2k₋ of a block.
+Index CertifiedRoots::missing(Index block) const {
+  Index left = static_.reduced[static_cast<std::size_t>(block)];
+  for (const GrowingRoot& g : growing_) left -= g.block != block ? 0 : g.omega > 0 ? 2 : 1;
+  for (const Root& r : negative_) left -= r.block == block ? 2 : 0;
+  return left;
 }
 
 bool CertifiedRoots::closed() const {
   if (static_.doubtful) return false;
-  std::vector<Index> left = static_.reduced;
-  for (const GrowingRoot& g : growing_) left[static_cast<std::size_t>(g.block)] -= g.omega > 0 ? 2 : 1;
-  for (const Root& r : negative_) left[static_cast<std::size_t>(r.block)] -= 2;
-  return std::all_of(left.begin(), left.end(), [](Index n) { return n == 0; });
+  for (Index b = 0; b < static_cast<Index>(blocked_.blocks.size()); ++b) {
+    if (missing(b) != 0) return false;
+  }
+  return true;
 }
 
-// Around the seed the count must fall by one: where it does, and the eigenvalue there rises, is a mode of negative energy, whatever the seed was.
-void CertifiedRoots::find_negative(const std::vector<double>& seeds) {
-  for (const double seed : seeds) {
-    for (std::size_t b = 0; b < blocked_.blocks.size(); ++b) {
-      if (static_.reduced[b] <= 0) continue;
-      constexpr double narrowest = 1e-10, widest = 0.03;
-      for (double width = narrowest; width < widest; width *= 3) {
-        const double lo = seed * (1 - width), hi = seed * (1 + width);
-        const BlockState before = state_of(blocked_.blocks[b], blocked_.impedance.at(lo));
-        const BlockState after = state_of(blocked_.blocks[b], blocked_.impedance.at(hi));
-        if (before.count - after.count != 1) continue;
-        const Bracket bracket{static_cast<Index>(b), lo, hi, 1, before.count, -1, crossing(before, before.count, -1), crossing(after, before.count, -1)};
-        Root root = converge(blocked_, bracket).front();
-        const bool known = std::any_of(negative_.begin(), negative_.end(), [&](const Root& r) {
-          return r.block == root.block && std::abs(r.omega - root.omega) <= 4 * (r.error + root.error) + 1e-14 * root.omega;
-        });
-        if (!known && root.energy_sign < 0) negative_.push_back(std::move(root));
-        break;
-      }
-    }
+// Those of negative energy that are not known yet.
+void CertifiedRoots::add(std::vector<Root> negative) {
+  for (Root& root : negative) {
+    const bool known = std::any_of(negative_.begin(), negative_.end(), [&](const Root& r) {
+      return r.block == root.block && std::abs(r.omega - root.omega) <= 4 * (r.error + root.error) + 1e-14 * root.omega;
+    });
+    if (!known && root.energy_sign < 0) negative_.push_back(std::move(root));
   }
   std::sort(negative_.begin(), negative_.end(), [](const Root& a, const Root& b) { return a.omega < b.omega; });
+}
+
+// Where J falls near the seed is a mode of negative energy, whatever the seed was.
+void CertifiedRoots::find_negative(const std::vector<double>& seeds) {
+  for (const double seed : seeds) {
+    for (Index b = 0; b < static_cast<Index>(blocked_.blocks.size()); ++b) {
+      if (missing(b) > 0) add(falls(blocked_, b, samples_around(seed)));
+    }
+  }
 }
 
 void CertifiedRoots::find_growing(const std::vector<Complex>& seeds) {
   for (const Complex& seed : seeds) {
     for (std::size_t b = 0; b < blocked_.blocks.size(); ++b) {
-      if (static_.reduced[b] <= 0) continue;
+      if (missing(static_cast<Index>(b)) <= 0) continue;
       const auto root = growing_root(blocked_, static_cast<Index>(b), seed);
       if (!root) continue;
       const auto same = [&](const GrowingRoot& g) {

@@ -1,16 +1,12 @@
 #pragma once
 
 #include "gyromode/impedance/converge.h"
+#include "gyromode/impedance/divergence.h"
 #include "gyromode/impedance/static_count.h"
 
-namespace gyromode {
+#include <optional>
 
-/// A root off the real axis: e^{λt}, λ = growth + j omega, both in units of the impedance; omega = 0 for divergence.
-struct GrowingRoot {
-  Index block = 0;
-  double growth = 0, omega = 0;
-  Index copies = 1;
-};
+namespace gyromode {
 
 /// Where roots that do not follow the count may be: modes of negative energy and growing motions of an approximation of the same system. They start iterations on the exact impedance;
 /// nothing is believed of them.
@@ -22,15 +18,20 @@ struct Seeds {
 /// The roots of an impedance with the proof that none is missing.
 ///
 /// Where the static stiffness has no negative eigenvalue all energy is positive and the count J grows by one at every root. Otherwise n₋ = k_r + 2k_c + 2k₋ (T12) must be met by roots found
-/// and verified one by one, growing ones and those of negative energy, where J falls: then none of them is missing, and J with every fall taken back grows by one at every root.
+/// and verified one by one, growing ones and those of negative energy, where J falls: then none of them is missing, and J with every fall taken back grows by one at every root. Divergence
+/// and falls of J are looked for over all decades of σ and ω, for they may be as slow as a verdict is near; what is then missing, flutter first of all, starts from seeds.
 class CertifiedRoots {
  public:
-  /// `seeds` is asked for only where the static stiffness is indefinite.
-  CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const std::function<Seeds()>& seeds);
+  /// Seeds of one approximation after another, finer ones later: attempt 0, 1, …, until there are no more.
+  using SeedSource = std::function<std::optional<Seeds>(Index attempt)>;
+  /// `seeds` are asked for only where the static stiffness is indefinite, and as long as the roots found do not meet (T12).
+  CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const SeedSource& seeds);
 
   const BlockedImpedance& blocked() const { return blocked_; }
   const StaticCount& at_zero() const { return static_; }
-  bool needs_seeds() const;
+  /// Whether J falls somewhere or motions grow: the static stiffness is indefinite.
+  bool indefinite() const;
+  bool asked_for_seeds() const { return asked_for_seeds_; }
   /// Of every block: reduced = k_r + 2k_c + 2k₋.
   bool closed() const;
   const std::vector<GrowingRoot>& growing() const { return growing_; }
@@ -48,6 +49,8 @@ class CertifiedRoots {
   Index growing_count(Index block, double omega, Index count) const;
 
  private:
+  Index missing(Index block) const;
+  void add(std::vector<Root> negative);
   void find_negative(const std::vector<double>& seeds);
   void find_growing(const std::vector<Complex>& seeds);
 
@@ -55,6 +58,7 @@ class CertifiedRoots {
   StaticCount static_;
   std::vector<Root> negative_;
   std::vector<GrowingRoot> growing_;
+  bool asked_for_seeds_ = false;
 };
 
 }  // namespace gyromode

@@ -1,8 +1,11 @@
 #include "gyromode/impedance/growing_root.h"
 
+#include "gyromode/impedance/singularity.h"
+
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gyromode {
@@ -14,24 +17,6 @@ ComplexMatrix block_at(const BlockedImpedance& h, const Block& b, const Complex&
   return whole(b.coordinates, b.coordinates);
 }
 
-// Rows and columns scaled to 1: what singular means may not depend on the fields' factors.
-ComplexMatrix equilibrated(ComplexMatrix a) {
-  for (Index i = 0; i < a.rows(); ++i) {
-    const double size = a.row(i).cwiseAbs().maxCoeff();
-    if (size > 0) a.row(i) /= size;
-  }
-  for (Index i = 0; i < a.cols(); ++i) {
-    const double size = a.col(i).cwiseAbs().maxCoeff();
-    if (size > 0) a.col(i) /= size;
-  }
-  return a;
-}
-
-double relative_singularity(const ComplexMatrix& a) {
-  const auto s = Eigen::JacobiSVD<ComplexMatrix>(equilibrated(a)).singularValues();
-  return s(s.size() - 1) / s(0);
-}
-
 Complex bordered(const ComplexMatrix& a, const ComplexVector& u, const ComplexVector& v) {
   const Index n = a.rows();
   ComplexMatrix m(n + 1, n + 1);
@@ -39,6 +24,16 @@ Complex bordered(const ComplexMatrix& a, const ComplexVector& u, const ComplexVe
   ComplexVector right = ComplexVector::Zero(n + 1);
   right(n) = 1;
   return Eigen::FullPivLU<ComplexMatrix>(m).solve(right)(n);
+}
+
+// Whether z is away from both axes by more than rounding may have moved it. Near an axis two roots meet, g ≈ c((z − z₀)² + d²), and the error of z is that of g over |g′| ≈ 2cd: g′ is taken over a
+// step of the distance d.
+bool resolved(const BlockedImpedance& h, const Block& b, const Complex& z, bool divergence, const ComplexVector& u, const ComplexVector& v) {
+  constexpr double of_distance = 0.1, beyond_doubt = 64;
+  const double distance = divergence ? -z.imag() : std::min(-z.imag(), z.real());
+  const Complex step = of_distance * distance * (divergence ? Complex(0, 1) : Complex(1));
+  const double change = std::abs(bordered(block_at(h, b, z + step), u, v) - bordered(block_at(h, b, z - step), u, v));
+  return change > beyond_doubt * h.impedance.rounding(std::abs(z)) * std::max(1.0, block_at(h, b, z).cwiseAbs().maxCoeff());
 }
 
 }  // namespace
@@ -75,7 +70,8 @@ std::optional<GrowingRoot> growing_root(const BlockedImpedance& h, Index block, 
   const double omega = divergence ? 0 : z.real();
   constexpr double certainty = 1e4;  // growth rates nearer to rounding are no growth
   if (!settled || !(growth > certainty * rounding * size) || omega < 0) return std::nullopt;
-  if (!(relative_singularity(block_at(h, b, z)) <= 1e5 * rounding)) return std::nullopt;
+  if (!resolved(h, b, z, divergence, u, v)) return std::nullopt;
+  if (!(relative_singularity(equilibrated_block(h, b, z)) <= 1e5 * rounding)) return std::nullopt;
   return GrowingRoot{block, growth, omega, b.copies()};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/impedance/certified_roots.h"
+#include "gyromode/impedance/divergence.h"
 
 #include <optional>
 
@@ -8,7 +8,7 @@ namespace gyromode {
 
 /// A root off the real axis of one block near the seed λ, or nothing: secant steps on the bordered determinant g(z) of the block, z = −jλ,
 ///     [A(z) u; vᴴ 0] (x, g) = (0, 1),   g(z) = −1/(vᴴ A(z)⁻¹ u),
-/// u and v the singular vectors of the seed. Accepted where the steps settle at rounding, near the seed, with a growth rate above rounding, and the block there is singular to rounding. A
+/// u and v the singular vectors of the seed. Accepted where the steps settle at rounding, near the seed, farther from the axes than rounding of a nearly double root moves it, and the block there is singular to rounding. A
 /// real λ stays real (divergence).
 std::optional<GrowingRoot> growing_root(const BlockedImpedance& h, Index block, Complex seed);
 

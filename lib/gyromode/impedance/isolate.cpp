@@ -30,6 +30,24 @@ struct Interval {
   State a, b;
 };
 
+bool beyond_doubt(const BlockedImpedance& h, const State& s) {
+  const double limit = 8 * h.impedance.rounding(s.omega);
+  return std::none_of(s.block.begin(), s.block.end(), [&](const BlockState& b) { return std::abs(b.nearest) <= limit * b.size; });
+}
+
+// Near the middle of an interval, beside a root that stands there: on it a count may be one off, and by the growing count of one of negative energy roots would change sides.
+State inside(const BlockedImpedance& h, const Interval& i, const GrowingCount& growing) {
+  State s = state_at(h, 0.5 * (i.a.omega + i.b.omega), growing);
+  const double width = i.b.omega - i.a.omega;
+  constexpr double wide = 1e-10;  // relative; narrower than this it may be roots all through
+  if (!(width > wide * i.b.omega)) return s;
+  for (const double fraction : {0.46, 0.55, 0.4}) {
+    if (beyond_doubt(h, s)) break;
+    s = state_at(h, i.a.omega + fraction * width, growing);
+  }
+  return s;
+}
+
 }  // namespace
 
 Index crossing_position(const BlockState& state, Index count_lo, Index change) { return count_lo - state.held - (change < 0 ? 1 : 0); }
@@ -54,7 +72,7 @@ std::vector<Bracket> isolate(const BlockedImpedance& h, double a, double b, cons
     bool more = false;
     for (std::size_t k = 0; k < blocks; ++k) more = more || i.b.count[k] - i.a.count[k] > 1;
     if (more && !narrow) {
-      State mid = state_at(h, 0.5 * (i.a.omega + i.b.omega), growing);
+      State mid = inside(h, i, growing);
       // On a root to rounding a count may lie beyond those of its neighbours: it is theirs.
       for (std::size_t k = 0; k < blocks; ++k) {
         const Index theirs = std::clamp(mid.count[k], std::min(i.a.count[k], i.b.count[k]), std::max(i.a.count[k], i.b.count[k]));

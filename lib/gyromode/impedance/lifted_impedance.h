@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/impedance/couplings.h"
 #include "gyromode/impedance/lifted.h"
 
 namespace gyromode {
@@ -10,6 +11,7 @@ class LiftedImpedance {
   virtual ~LiftedImpedance() = default;
 
   virtual Index size() const = 0;
+  virtual Couplings couplings() const = 0;           ///< of all frequencies
   virtual Lifted at(double omega) const = 0;         ///< Hermitian; ω > 0, or the limit 0⁺
   virtual ComplexMatrix at(Complex omega) const = 0; ///< analytic continuation; growth rate −Im ω
   /// Relative rounding of the entries at ω: n ε, and what the phase of the fields costs.

@@ -7,21 +7,30 @@ namespace {
 
 Json verdict(const StabilityPoint& p) { return p.lawful ? Json(gyromode::word(p.stability)) : Json(nullptr); }
 
+void add_motions(const StabilityPoint& p, Json& to) {
+  to["real_pairs"] = p.balance.real_pairs;
+  to["quadruples"] = p.balance.quadruples;
+  to["negative_energy"] = p.balance.negative_energy;
+}
+
 void add_map(const StabilityReport& r, Json& j) {
   j["varied"] = r.varied;
   j["map"] = Json::array();
   for (const auto& [values, p] : r.map->cells) {
-    Json cell{{"values", values}, {"stability", verdict(p)}, {"growth_rate", p.growth_rate}, {"real_pairs", p.balance.real_pairs}, {"quadruples", p.balance.quadruples},
-              {"negative_energy", p.balance.negative_energy}};
+    Json cell{{"values", values}, {"stability", verdict(p)}, {"growth_rate", p.growth_rate}};
+    add_motions(p, cell);
     if (!p.reason.empty()) cell["reason"] = p.reason;
     j["map"].push_back(std::move(cell));
   }
   j["critical"] = Json::array();
   for (const CriticalValue& c : r.map->critical) {
-    Json one{{"key", r.varied[c.axis]}, {"value", c.value}, {"from", verdict(c.from)}, {"to", verdict(c.to)}};
+    Json one{{"key", r.varied[c.axis]}, {"value", c.value}, {"bracket", {c.lo, c.hi}}, {"from", verdict(c.from)}, {"to", verdict(c.to)}};
+    add_motions(c.from, one["motions"]["from"]);
+    add_motions(c.to, one["motions"]["to"]);
     for (std::size_t k = 0; k < c.others.size(); ++k) one["at"][r.varied[k + 1]] = c.others[k];
     j["critical"].push_back(std::move(one));
   }
+  j["evaluations"] = {{"cells", r.map->cells.size()}, {"between", r.map->evaluations}};
 }
 
 }  // namespace

@@ -41,6 +41,12 @@ std::string growing_table(const Model& model, const std::vector<UnstableMode>& m
 
 std::string verdict_word(const StabilityPoint& p) { return p.lawful ? std::string(word(p.stability)) : "no model"; }
 
+// Beside one with the same verdict the numbers that tell them apart.
+std::string verdict_beside(const StabilityPoint& p, const StabilityPoint& other) {
+  if (p.stability != other.stability) return verdict_word(p);
+  return fmt::format("{}: {} divergent, {} flutter, {} of negative energy", verdict_word(p), p.balance.real_pairs, p.balance.quadruples, p.balance.negative_energy);
+}
+
 char letter(const StabilityPoint& p) {
   if (!p.lawful) return ' ';
   switch (p.stability) {
@@ -79,15 +85,16 @@ std::string line_of_map(const StabilityReport& r, Format format) {
 std::string critical_table(const StabilityReport& r, Format format) {
   std::vector<std::string> head{r.varied[0]};
   if (r.varied.size() > 1) head.push_back("at " + r.varied[1]);
-  head.insert(head.end(), {"from", "to"});
+  head.insert(head.end(), {"bracket", "from", "to"});
   Grid grid(head);
   for (const CriticalValue& c : r.map->critical) {
     std::vector<std::string> row{fmt::format("{:.15g}", c.value)};
     for (const double v : c.others) row.push_back(fmt::format("{:.10g}", v));
-    row.insert(row.end(), {verdict_word(c.from), verdict_word(c.to)});
+    row.insert(row.end(), {fmt::format("{:.1e} wide", c.hi - c.lo), verdict_beside(c.from, c.to), verdict_beside(c.to, c.from)});
     grid.add(std::move(row));
   }
-  return grid.empty() ? "\nno critical value between the points of the grid\n" : "\ncritical values\n" + written(grid, format);
+  if (grid.empty()) return "\nno critical value between the points of the grid\n";
+  return fmt::format("\ncritical values, from {} verdicts between those of the grid\n", r.map->evaluations) + written(grid, format);
 }
 
 }  // namespace

@@ -18,18 +18,33 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Where the static stiffness is indefinite, the twin of finite elements knows where negative energy and growth may be.
-Seeds seeds_of(const Spacecraft& s) {
-  // Some 400 coordinates at most: this is a dense eigenproblem.
-  const Index wires = std::max<Index>(1, static_cast<Index>(s.cables().size() + s.beams().size()));
-  const Mesh mesh{1, std::clamp<Index>(200 / wires, 4, 16)};
+// Modes of opposite energy that the twin has near each other may be fluttering, and the reverse: both ways are looked.
+void add_pairs(const ModesResult& twin, double unit, Seeds& seeds) {
+  constexpr double near = 0.05;
+  for (const Mode& negative : twin.negative_modes) {
+    for (const Mode& m : twin.modes) {
+      const double gap = std::abs(m.omega - negative.omega);
+      if (m.energy_sign > 0 && gap > 0 && gap <= near * negative.omega) seeds.growing.push_back(Complex(0.5 * gap, 0.5 * (m.omega + negative.omega)) / unit);
+    }
+  }
+  for (const UnstableMode& u : twin.unstable) {
+    if (u.flutter() && u.growth_rate <= near * u.omega) seeds.negative_energy.push_back(u.omega / unit);
+  }
+}
+
+// What a twin of finite elements knows of negative energy and growth: first a small one of some milliseconds, then one of some 400 coordinates at most, for this is a dense eigenproblem.
+std::optional<Seeds> seeds_of(const Spacecraft& s, Index attempt) {
+  const Index booms = std::max<Index>(1, static_cast<Index>(s.cables().size() + s.beams().size()));
+  const Index degrees[] = {4, std::clamp<Index>(200 / booms, 5, 16)};
+  if (attempt >= static_cast<Index>(std::size(degrees))) return std::nullopt;
   constexpr double highest = 30;  // spins: growth and negative energy are slow motions
   Seeds seeds;
   try {
-    const WithoutSpinPhase whole(discretise(s, mesh), spin_phase_of_twin);
+    const WithoutSpinPhase whole(discretise(s, {1, degrees[attempt]}), spin_phase_of_twin);
     const ModesResult twin = find_modes(low_modes(whole.system(), highest * s.spin()));
     for (const Mode& m : twin.negative_modes) seeds.negative_energy.push_back(m.omega / s.spin());
     for (const UnstableMode& u : twin.unstable) seeds.growing.push_back(Complex(u.growth_rate, u.omega) / s.spin());
+    add_pairs(twin, s.spin(), seeds);
   } catch (const lapack::Failure&) {  // then there are none, and the balance says that something is missing
   }
   return seeds;
@@ -41,7 +56,7 @@ double open_error(const Root& r) { return std::max(r.error, 4 * std::numeric_lim
 
 SpacecraftSolution::SpacecraftSolution(const Spacecraft& s)
     : spacecraft_(s), impedance_(s),
-      roots_(impedance_, SpacecraftImpedance::free_coordinates(), SpacecraftImpedance::cyclic_coordinates(), impedance_.neutral_patterns(), [&s] { return seeds_of(s); }),
+      roots_(impedance_, SpacecraftImpedance::free_coordinates(), SpacecraftImpedance::cyclic_coordinates(), impedance_.neutral_patterns(), [&s](Index attempt) { return seeds_of(s, attempt); }),
       opposite_gap_(gap_of_opposite_signs()) {}
 
 Index SpacecraftSolution::zeros() const {
@@ -92,7 +107,7 @@ std::string SpacecraftSolution::path() const {
   return fmt::format("exact fields, poles lifted: {} {} apart ({}{}), roots bisected on the count{}", all, all == 1 ? "block" : "blocks",
                      real == all ? "all real symmetric" : fmt::format("{} real symmetric, {} Hermitian", real, all - real),
                      local > 0 ? fmt::format(", {} boom patterns without the body", local) : "",
-                     roots_.needs_seeds() ? " with signs; negative energy and growth from a twin of finite elements, made exact" : "");
+                     !roots_.indefinite() ? "" : roots_.asked_for_seeds() ? " with signs; negative energy and growth from the signs and from a twin of finite elements, made exact" : " with signs; negative energy and growth from the signs");
 }
 
 double SpacecraftSolution::above_all() const {

@@ -17,6 +17,16 @@ class Held : public LiftedImpedance {
   Held(const Appendage& appendage, double spin) : appendage_(appendage), spin_(spin) {}
 
   Index size() const override { return appendage_.coordinates(); }
+  Couplings couplings() const override {
+    Couplings whole(body_coordinates + size()), own(size());
+    appendage_.couple(whole, body_coordinates);
+    for (Index i = 0; i < size(); ++i) {
+      for (const auto& [to, kind] : whole.graph().neighbours[static_cast<std::size_t>(body_coordinates + i)]) {
+        if (to >= body_coordinates) own.add(i, to - body_coordinates, kind);
+      }
+    }
+    return own;
+  }
   Lifted at(double omega) const override {
     Lifted whole = zero();
     appendage_.add(omega, whole, body_coordinates);

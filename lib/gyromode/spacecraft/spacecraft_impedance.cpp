@@ -13,11 +13,16 @@ namespace gyromode {
 
 namespace {
 
+// Places and products of inertia up to this fraction of the whole satellite are rounding of sums that cancel, and exactly zero.
+constexpr double negligible = 64 * std::numeric_limits<double>::epsilon();
+
 struct Units {
   double mass, length, time;
+  double extent;  // √(∫p² dm / m), in m
 
+  double place(double x) const { return std::abs(x) <= negligible * extent ? 0 : x / length; }
   Cable of(Cable c, double centre) const {
-    c.height = (c.height - centre) / length;
+    c.height = place(c.height - centre);
     c.radius /= length;
     c.length /= length;
     c.line_density *= length / mass;
@@ -25,7 +30,7 @@ struct Units {
     return c;
   }
   Beam of(Beam b, double centre) const {
-    b.root_height = (b.root_height - centre) / length;
+    b.root_height = place(b.root_height - centre);
     b.length /= length;
     b.line_density *= length / mass;
     b.tip_mass /= mass;
@@ -33,7 +38,7 @@ struct Units {
     return b;
   }
   SpringMass of(SpringMass m, double centre) const {
-    m.position = (m.position - Eigen::Vector3d(0, 0, centre)) / length;
+    m.position = (m.position - Eigen::Vector3d(0, 0, centre)).unaryExpr([&](double x) { return place(x); }).eval();
     m.mass /= mass;
     m.stiffness *= time * time / mass;
     return m;
@@ -72,7 +77,8 @@ SpacecraftImpedance::SpacecraftImpedance(const Spacecraft& s) : spin_(s.spin()),
   const Eigen::Matrix3d j = s.rigid().inertia();
   length_ = std::sqrt(j(2, 2) / mass_);
   inertia_ = j / j(2, 2);
-  const Units units{mass_, length_, 1 / spin_};
+  if (std::abs(inertia_(0, 1)) <= negligible * std::sqrt(inertia_(0, 0) * inertia_(1, 1))) inertia_(0, 1) = inertia_(1, 0) = 0;
+  const Units units{mass_, length_, 1 / spin_, std::sqrt(s.rigid().second.trace() / mass_)};
   neutral_patterns_ = neutral_patterns_of(s.cables());
   for (const auto& group : groups_of(s.cables())) {
     std::vector<Cable> scaled;
@@ -116,6 +122,15 @@ void SpacecraftImpedance::add_all(const T& omega, Lifted& to) const {
   const double scale = tilt_scale(omega);
   h.middleRows<2>(3) *= scale;
   h.middleCols<2>(3) *= scale;
+}
+
+// As add_all() writes them.
+Couplings SpacecraftImpedance::couplings() const {
+  Couplings c(size_);
+  if (inertia_(0, 1) != 0) c.add(3, 4, CouplingKind::in_phase);
+  if (inertia_(0, 0) + inertia_(1, 1) - inertia_(2, 2) != 0) c.add(3, 4, CouplingKind::cross);
+  for (const Part& part : parts_) part.appendage->couple(c, part.first);
+  return c;
 }
 
 Lifted SpacecraftImpedance::at(double omega) const {

@@ -15,6 +15,7 @@ class SpacecraftImpedance : public LiftedImpedance {
   explicit SpacecraftImpedance(const Spacecraft& s);
 
   Index size() const override { return size_; }
+  Couplings couplings() const override;
   Lifted at(double omega) const override;
   ComplexMatrix at(Complex omega) const override;
   double rounding(double omega) const override;
