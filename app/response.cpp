@@ -63,7 +63,7 @@ io::ResponseReport moved(const System& system, const Options& o) {
   const State start = o.initial.empty() ? State::rest(system.size()) : io::read_initial_state(o.initial, system.labels());
   io::ResponseReport report;
   report.labels = system.labels();
-  const Response r(system, start, forces_of(o.forces, system.labels()), o.source.structure());
+  const Response r(system, start, forces_of(o.forces, system.labels()));
   describe(r, r, times_of(o), report);
   return report;
 }
@@ -103,7 +103,6 @@ int run(const Options& o) {
   if (sweep && o.forces.empty()) throw UsageError("--frequencies needs a force: --force LABEL=F");
   if (!sweep && o.initial.empty() && o.forces.empty()) throw UsageError("nothing moves: give --initial FILE.csv (columns label,q,qdot) or --force");
   Job job(o.source, o.output);
-  o.source.remark_on_tolerance(o.output);
   if (sweep) {
     const io::FrequencyReport report = job.solve([&](const auto& system) { return swept(system, o); });
     o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));

@@ -42,7 +42,6 @@ struct StructureReport {
   Stiffness stiffness;
   bool stiffness_applies = true;          ///< false for first-order models
   std::optional<RealifiedAt> at;
-  double coupling_tolerance = 0;
   std::vector<HeldBoom> held_booms;           ///< of a spacecraft: the poles of its booms
   std::vector<EffectiveAxes> effective_axes;  ///< of spacecraft that axes 1 and 2 do not part into in phase and in quadrature
 };

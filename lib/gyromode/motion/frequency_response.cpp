@@ -41,7 +41,7 @@ bool drives(const Mode& m, double gap, const Vector& force, const Vector& scale)
 
 // Zero roots that the force drives, places and drifts: the response at rest is unbounded.
 bool drives_zero_roots(const System& system, const Vector& force) {
-  for (const SolvedComponent& c : solve_components(system, {}, dense::Method::automatic).components) {
+  for (const SolvedComponent& c : solve_components(system, dense::Method::automatic).components) {
     if (c.spectrum.zero_pairs() == 0) continue;
     const ComponentMatrices m(system, c.spectrum.order);
     const ZeroPart zero(m, c.spectrum.zero_pairs());

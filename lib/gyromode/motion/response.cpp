@@ -23,7 +23,7 @@ void require(const Vector& v, Index n, const char* what) {
 Response::~Response() = default;
 Response::Response(Response&&) noexcept = default;
 
-Response::Response(const System& system, const State& initial, const std::vector<Force>& forces, const StructureOptions& structure)
+Response::Response(const System& system, const State& initial, const std::vector<Force>& forces)
     : mass_(system.mass()), stiffness_(system.stiffness()) {
   const Index n = system.size();
   require(initial.q, n, "initial displacements");
@@ -44,7 +44,7 @@ Response::Response(const System& system, const State& initial, const std::vector
     }
   }
   start_ = start;
-  const SolvedSystem solved = solve_components(system, structure, dense::Method::automatic);
+  const SolvedSystem solved = solve_components(system, dense::Method::automatic);
   stability_ = solved.stability();
   complete_ = solved.index_balance().closed;
   initial_energy_ = energy_of(start, mass_, stiffness_);
