@@ -93,7 +93,10 @@ io::FrequencyReport swept(const Other&, const Options&) {
 
 void say_resonances(const io::FrequencyReport& r, const OutputOption& output) {
   for (const FrequencyPoint& p : r.response.points) {
-    if (p.resonance) output.say(fmt::format("ω = {:.17g} rad/s of the grid is a resonance: the response is unbounded there", p.omega));
+    if (!p.participation || p.added || p.driven == Driven::no) continue;
+    output.say(fmt::format("ω = {:.17g} rad/s of the grid is {}, participation {:.1e}", p.omega,
+                           p.resonance() ? "a resonance: the response is unbounded there" : "that of a mode, and whether the force drives it cannot be told: the limit from both sides is given",
+                           *p.participation));
   }
 }
 

@@ -111,6 +111,33 @@ class Response(WithFolder):
         model.write_text(f'kind = "matrices"\nmass = {mass}\nstiffness = {stiffness}\n' + (f"gyroscopic = {gyroscopic}\n" if gyroscopic else ""))
         return model
 
+    def test_weak_resonance(self):
+        ask = ["--force", "q1=1", "--frequencies", "1.5:2.5:3"]
+        model = self.matrices("[[1, 1e-12], [1e-12, 4]]")
+        r = self.json("response", model, *ask)
+        self.assertEqual(r["resonances"], [2])
+        self.assertEqual(r["modes"][0]["driven"], "yes")
+        self.assertAlmostEqual(r["modes"][0]["participation"] / (1e-12 / 3), 1, delta=1e-2)
+        rows = self.rows("response", model, *ask)
+        at = [row for row in rows if row["omega"] == "2"]
+        self.assertEqual([(row["resonance"], row["driven"], row["q1 re"]) for row in at], [("1", "yes", "inf")])
+        said = run("response", model, *ask, "--format", "table")
+        self.assertIn("participation 3.3e-13", said.stderr)
+        self.assertIn("resonance, participation 3.3e-13", said.stdout)
+        # Exactly not driven: another component.
+        model = self.matrices("[[1, 0], [0, 4]]")
+        r = self.json("response", model, *ask)
+        self.assertEqual((r["resonances"], [m["driven"] for m in r["modes"]], r["modes"][0]["participation"]), ([], ["no"], 0))
+        self.assertEqual(run("response", model, *ask).stderr, "")
+        # Not driven but by rounding: (1, 1) on the mode (1, −1).
+        model = self.matrices("[[2.5, -1.5], [-1.5, 2.5]]")
+        result = run("response", model, "--force", "q1=1,q2=1", "--frequencies", "1.5:2.5:3")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("cannot be told", result.stderr)
+        at = [row for row in csv.DictReader(io.StringIO(result.stdout)) if row["omega"] == "2"]
+        self.assertEqual([(row["resonance"], row["driven"]) for row in at], [("0", "undecided")])
+        self.assertAlmostEqual(float(at[0]["q1 re"]), -1 / 3, delta=1e-9)
+
     def test_couplings_left_out(self):
         model = self.matrices("[[1, 1e-3], [1e-3, 4]]")
         leave, without = ["--coupling-tolerance", "0.01"], self.path / "without.toml"
