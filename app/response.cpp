@@ -51,8 +51,9 @@ void describe(const AnyResponse& r, const Response& inner, const Vector& times, 
   report.initial_energy = inner.initial_energy();
   report.zero_energy = inner.zero_energy();
   report.remainder_energy = inner.remainder_energy();
-  report.departure = inner.departure();
-  report.complete = inner.complete();
+  report.departure = r.departure();
+  report.phase_error = r.phase_error(times(times.size() - 1));
+  report.balance_closed = inner.balance_closed();
   for (Index k = 0; k < times.size(); ++k) {
     if (!report.history.q.col(k).allFinite()) throw UsageError(fmt::format("the motion grows beyond what numbers hold at t = {:g}: ask for less time", times(k)));
   }
@@ -100,6 +101,17 @@ void say_resonances(const io::FrequencyReport& r, const OutputOption& output) {
   }
 }
 
+// Says what is not known well enough.
+bool certified(const io::ResponseReport& r, const OutputOption& output) {
+  constexpr double loose = 1e-6;  // of the motion; rad
+  if (!r.balance_closed) output.say("not certified: the index balance does not close, so some motion may be missing");
+  if (!(r.departure <= loose)) output.say(fmt::format("not certified: the parts add up to what sets them in motion to {:.1e} only: modes so close to each other are not told apart", r.departure));
+  if (!(r.phase_error <= loose)) {
+    output.say(fmt::format("not certified: at t = {:g} phases are known to {:.1e} rad only, the error bound of a frequency times t: ask for less time", r.history.t(r.history.t.size() - 1), r.phase_error));
+  }
+  return r.balance_closed && r.departure <= loose && r.phase_error <= loose;
+}
+
 int run(const Options& o) {
   const bool sweep = !o.frequencies.empty();
   if (sweep && (!o.initial.empty() || o.until || o.step || !o.times.empty() || !o.points.empty())) throw UsageError("--frequencies is the response at steady frequencies: no initial state, no times");
@@ -116,16 +128,7 @@ int run(const Options& o) {
   report.rates = o.rates;
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
   if (!report.remark.empty()) o.output.say(report.remark);
-  if (!report.complete) {
-    o.output.say("not certified: the index balance does not close, so some motion may be missing");
-    return not_certified;
-  }
-  constexpr double loose = 1e-6;
-  if (!(report.departure <= loose)) {
-    o.output.say(fmt::format("the parts of the motion add up to the initial state to {:.1e} only: modes so close to each other are not told apart", report.departure));
-    return not_certified;
-  }
-  return done;
+  return certified(report, o.output) ? done : not_certified;
 }
 
 }  // namespace

@@ -138,6 +138,16 @@ class Response(WithFolder):
         self.assertEqual([(row["resonance"], row["driven"]) for row in at], [("0", "undecided")])
         self.assertAlmostEqual(float(at[0]["q1 re"]), -1 / 3, delta=1e-9)
 
+    def test_phases_after_a_long_time(self):
+        start = self.initial("label,q,qdot\nq1,1,0\nq2,0,1\n")
+        model = self.matrices("[[1, 0.1], [0.1, 4]]")
+        for t, code in (("1e3", 0), ("1e12", 4)):
+            result = run("response", model, "--initial", start, "--until", t, "--step", t)
+            self.assertEqual(result.returncode, code, result.stderr)
+            self.assertEqual("phases are known to" in result.stderr, code == 4, result.stderr)
+            self.assertEqual(len(result.stdout.splitlines()), 3)  # written all the same
+        self.assertLess(self.json("response", model, "--initial", start, "--until", "1e3", "--step", "1e3")["phase_error"], 1e-11)
+
     def test_couplings_left_out(self):
         model = self.matrices("[[1, 1e-3], [1e-3, 4]]")
         leave, without = ["--coupling-tolerance", "0.01"], self.path / "without.toml"

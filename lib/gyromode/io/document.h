@@ -66,7 +66,8 @@ struct ResponseReport {
   Stability stability = Stability::unknown;
   double initial_energy = 0, zero_energy = 0, remainder_energy = 0;
   double departure = 0;      ///< of the decomposition, relative
-  bool complete = false;     ///< the index balance of the modes closes
+  double phase_error = 0;    ///< rad, at the last time
+  bool balance_closed = false;
   std::string remark;
 };
 

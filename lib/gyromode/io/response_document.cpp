@@ -47,6 +47,8 @@ std::string response_json(const Model& model, const ResponseReport& r, const Tim
   }
   j["energy"] = {{"initial", r.initial_energy}, {"zero_roots", r.zero_energy}, {"growing_or_double_roots", r.remainder_energy}};
   j["departure"] = r.departure;
+  j["phase_error"] = r.phase_error;
+  j["balance_closed"] = r.balance_closed;
   if (!r.remark.empty()) j["remark"] = r.remark;
   return text(j);
 }
@@ -55,6 +57,7 @@ std::string response_text(const Model& model, const ResponseReport& r, Format fo
   std::string out = heading(format, model_line(model));
   out += fact(format, "stability", stability_words(r.stability));
   out += fact(format, "energy", fmt::format("{:.10g} at first; {:.6g} in zero roots, {:.6g} in growing motion and double roots, the rest in modes", r.initial_energy, r.zero_energy, r.remainder_energy));
+  out += fact(format, "accuracy", fmt::format("{:.1e} of the motion at first; phases at the last time to {:.1e} rad", r.departure, r.phase_error));
   if (!r.remark.empty()) out += fact(format, "remark", r.remark);
   Grid shares({"ω [rad/s]", "amplitude", "phase [rad]", "energy", "largest in"});
   for (const ModalShare& m : r.modal) {
