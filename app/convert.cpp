@@ -4,6 +4,7 @@
 #include "verbs.h"
 
 #include "gyromode/dense/constant_form.h"
+#include "gyromode/dense/spectrum.h"
 #include "gyromode/discrete/discretise.h"
 #include "gyromode/io/matrix_market.h"
 
@@ -65,7 +66,7 @@ int run(const Options& o) {
   std::optional<dense::ConstantForm> form;  // refused, where there is none, before anything is written
   if (o.realified) {
     if (!second_order) throw dense::MethodDoesNotApply("--realified is for models of second order: eigenvalues of W are their ω²");
-    form = dense::constant_form(*second_order, analyse(*second_order, {0, HiddenSearch::always}));
+    form = dense::constant_form(*second_order, analyse(*second_order, HiddenSearch::always));
   }
   std::error_code error;
   fs::create_directories(o.folder, error);
@@ -75,6 +76,7 @@ int run(const Options& o) {
   }, model.system);
   std::string names = second_order ? "M.mtx, G.mtx, K.mtx" : "I.mtx, G.mtx";
   if (form) names += write_constant_form(o.folder, *second_order, *form, o, model.title);
+  if (!o.quiet && model.ignored) fmt::print(stderr, "gyromode: {}\n", in_words(*model.ignored));
   if (!o.quiet) fmt::print(stderr, "gyromode: {} written to {}\n", names, o.folder);
   return done;
 }
@@ -84,7 +86,7 @@ int run(const Options& o) {
 void add_convert(CLI::App& program, int& code) {
   CLI::App* verb = program.add_subcommand("convert", "Write the matrices of a model as Matrix Market files");
   auto o = std::make_shared<Options>();
-  o->source.add_to(*verb, false);
+  o->source.add_to(*verb);
   verb->add_option("-o,--output", o->folder, "Folder for M.mtx, G.mtx, K.mtx (I.mtx, G.mtx for first-order models)")->type_name("DIR")->required();
   verb->add_option("--elements", o->elements, "Spacecraft: linear elements a cable (default 50)")->type_name("N")->check(CLI::Range(1, 2000));
   verb->add_flag("--realified", o->realified, "Also W.mtx, the real symmetric n × n matrix whose eigenvalues are ω² (quadrature class, visible or hidden, or K ≥ 0)");

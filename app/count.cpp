@@ -21,9 +21,8 @@ struct Options {
 int run(const Options& o) {
   if (!o.window.given()) throw UsageError("count needs a window: --below W or --window A:B");
   Job job(o.source, o.output);
-  o.source.remark_on_tolerance(o.output);
   const Window window = o.window.read();
-  const CountResult result = job.solve([&](const auto& system) { return count_modes(system, window, o.source.structure()); });
+  const CountResult result = job.solve([&](const auto& system) { return count_modes(system, window); });
   o.output.write(document(job.model(), result, job.timings(), o.output.chosen()));
   if (result.status == CountStatus::exact) return done;
   o.output.say(result.status == CountStatus::signed_only

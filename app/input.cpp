@@ -2,6 +2,8 @@
 
 #include "errors.h"
 
+#include "gyromode/dense/spectrum.h"
+#include "gyromode/io/number.h"
 #include "gyromode/io/toml_table.h"
 #include "gyromode/io/unit.h"
 #include "gyromode/system/promise.h"
@@ -10,16 +12,23 @@
 
 namespace gyromode::app {
 
-void ModelSource::add_to(CLI::App& verb, bool tolerant) {
+// A fraction of the largest entry; written so that NaN fails.
+std::string no_small_fraction(const std::string& text) {
+  constexpr double most = 0.1;
+  const io::Parsed p = io::parse_real(text);
+  if (p.outcome == io::Parsed::ok && p.value >= 0 && p.value <= most) return "";
+  return fmt::format("'{}' where a fraction from 0 to {} was expected", text, most);
+}
+
+void ModelSource::add_to(CLI::App& verb) {
   verb.add_option("model", model, "Model file (TOML); or give the three matrices below")->type_name("MODEL");
   verb.add_option("--mass", mass, "Mass matrix M, Matrix Market")->type_name("M.mtx");
   verb.add_option("--gyroscopic", gyroscopic, "Gyroscopic matrix G (skew), Matrix Market; left out: G = 0")->type_name("G.mtx");
   verb.add_option("--stiffness", stiffness, "Stiffness matrix K, Matrix Market")->type_name("K.mtx");
-  if (!tolerant) return;
   verb.add_option("--coupling-tolerance", coupling_tolerance,
                   "Couplings up to this fraction of the largest entry of their matrix are left out (default 0: none are)")
       ->type_name("FRACTION")
-      ->check(CLI::Range(0.0, 0.1));
+      ->check(no_small_fraction);
 }
 
 // A broken promise is known by its matrix; which files the matrices came from is known here.
@@ -34,22 +43,30 @@ io::Model promised(const std::string& files, Reader&& reader) {
   }
 }
 
+io::Model ModelSource::admitted(io::Model m) const {
+  if (coupling_tolerance == 0) return m;
+  const auto reduce = [&](auto& system) {
+    m.ignored = ignored_couplings(system, coupling_tolerance);
+    system = without_ignored_couplings(system, coupling_tolerance);
+  };
+  if (auto* second_order = std::get_if<System>(&m.system)) reduce(*second_order);
+  else if (auto* first_order = std::get_if<FirstOrderSystem>(&m.system)) reduce(*first_order);
+  else throw dense::MethodDoesNotApply("--coupling-tolerance is for matrix models: the couplings of a spacecraft follow from its parts");
+  return m;
+}
+
 io::Model ModelSource::read() const {
   const bool matrices = !mass.empty() || !gyroscopic.empty() || !stiffness.empty();
   if (model.empty() == !matrices) {
     throw UsageError(matrices ? "give a model file or --mass and --stiffness, not both"
                               : "no model: give a model file (gyromode modes models/rigid_body.toml) or --mass M.mtx [--gyroscopic G.mtx] --stiffness K.mtx");
   }
-  if (!matrices) return promised(model, [&] { return io::read_model(model); });
+  if (!matrices) return promised(model, [&] { return admitted(io::read_model(model)); });
   if (mass.empty() || stiffness.empty()) {
     throw UsageError(fmt::format("{} is missing: M and K are both needed (G may be left out)", mass.empty() ? "--mass" : "--stiffness"));
   }
   const std::string files = fmt::format("{}, {}{}{}", mass, gyroscopic, gyroscopic.empty() ? "" : ", ", stiffness);
-  return promised(files, [&] { return io::read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness); });
-}
-
-void ModelSource::remark_on_tolerance(const OutputOption& output) const {
-  if (coupling_tolerance > 0) output.say(fmt::format("couplings up to {:.2g} of the largest entry are left out, as asked", coupling_tolerance));
+  return promised(files, [&] { return admitted(io::read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness)); });
 }
 
 void WindowOption::add_to(CLI::App& verb) {

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "output.h"
-
 #include "gyromode/io/model.h"
 #include "gyromode/modes/window.h"
-#include "gyromode/structure/structure.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,17 +10,16 @@
 
 namespace gyromode::app {
 
-/// Where a model comes from: a TOML file, or three Matrix Market files.
+/// Where a model comes from, a TOML file or three Matrix Market files, and what is asked of it at the door.
 struct ModelSource {
   std::string model, mass, gyroscopic, stiffness;
   double coupling_tolerance = 0;
 
-  /// `tolerant`: with --coupling-tolerance, for verbs that look at the structure.
-  void add_to(CLI::App& verb, bool tolerant = true);
+  void add_to(CLI::App& verb);
+  /// The model as every verb sees it: read, and without the couplings that are to be left out.
   io::Model read() const;
-  /// Says on stderr that couplings are left out, for verbs whose result does not.
-  void remark_on_tolerance(const OutputOption& output) const;
-  StructureOptions structure() const { return {coupling_tolerance}; }
+  /// The same of a model already made: its system without those couplings. Throws dense::MethodDoesNotApply for a spacecraft, whose couplings follow from its parts.
+  io::Model admitted(io::Model model) const;
 };
 
 /// A window of frequencies, as [--below W | --window A:B].

@@ -3,7 +3,6 @@
 #include "input.h"
 #include "output.h"
 
-#include "gyromode/dense/spectrum.h"
 #include "gyromode/io/document.h"
 
 #include <fmt/format.h>
@@ -17,11 +16,9 @@ namespace gyromode::app {
 class Job {
  public:
   Job(const ModelSource& source, const OutputOption& output) : model_(source.read()) {
-    if (source.coupling_tolerance > 0 && std::holds_alternative<Spacecraft>(model_.system)) {
-      throw dense::MethodDoesNotApply("--coupling-tolerance is for matrix models: the couplings of a spacecraft follow from its parts");
-    }
     timings_.read = watch_.lap();
     if (model_.size() >= worth_a_word) output.say(fmt::format("{} coordinates read in {:.2g} s; solving", model_.size(), timings_.read));
+    if (model_.ignored) output.say(in_words(*model_.ignored));
   }
 
   const io::Model& model() const { return model_; }

@@ -97,7 +97,6 @@ int run(const Options& given) {
   options.window = o.window.read();
   options.lowest = o.lowest;
   options.shapes = o.shapes;
-  options.structure = o.source.structure();
   const ModesResult result = solved(job, o, options);
   o.output.write(document(job.model(), result, job.timings(), format));
   const Coverage& c = result.coverage;

@@ -51,8 +51,9 @@ void describe(const AnyResponse& r, const Response& inner, const Vector& times, 
   report.initial_energy = inner.initial_energy();
   report.zero_energy = inner.zero_energy();
   report.remainder_energy = inner.remainder_energy();
-  report.departure = inner.departure();
-  report.complete = inner.complete();
+  report.departure = r.departure();
+  report.phase_error = r.phase_error(times(times.size() - 1));
+  report.balance_closed = inner.balance_closed();
   for (Index k = 0; k < times.size(); ++k) {
     if (!report.history.q.col(k).allFinite()) throw UsageError(fmt::format("the motion grows beyond what numbers hold at t = {:g}: ask for less time", times(k)));
   }
@@ -63,7 +64,7 @@ io::ResponseReport moved(const System& system, const Options& o) {
   const State start = o.initial.empty() ? State::rest(system.size()) : io::read_initial_state(o.initial, system.labels());
   io::ResponseReport report;
   report.labels = system.labels();
-  const Response r(system, start, forces_of(o.forces, system.labels()), o.source.structure());
+  const Response r(system, start, forces_of(o.forces, system.labels()));
   describe(r, r, times_of(o), report);
   return report;
 }
@@ -93,8 +94,22 @@ io::FrequencyReport swept(const Other&, const Options&) {
 
 void say_resonances(const io::FrequencyReport& r, const OutputOption& output) {
   for (const FrequencyPoint& p : r.response.points) {
-    if (p.resonance) output.say(fmt::format("ω = {:.17g} rad/s of the grid is a resonance: the response is unbounded there", p.omega));
+    if (!p.participation || p.added || p.driven == Driven::no) continue;
+    output.say(fmt::format("ω = {:.17g} rad/s of the grid is {}, participation {:.1e}", p.omega,
+                           p.resonance() ? "a resonance: the response is unbounded there" : "that of a mode, and whether the force drives it cannot be told: the limit from both sides is given",
+                           *p.participation));
   }
+}
+
+// Says what is not known well enough.
+bool certified(const io::ResponseReport& r, const OutputOption& output) {
+  constexpr double loose = 1e-6;  // of the motion; rad
+  if (!r.balance_closed) output.say("not certified: the index balance does not close, so some motion may be missing");
+  if (!(r.departure <= loose)) output.say(fmt::format("not certified: the parts add up to what sets them in motion to {:.1e} only: modes so close to each other are not told apart", r.departure));
+  if (!(r.phase_error <= loose)) {
+    output.say(fmt::format("not certified: at t = {:g} phases are known to {:.1e} rad only, the error bound of a frequency times t: ask for less time", r.history.t(r.history.t.size() - 1), r.phase_error));
+  }
+  return r.balance_closed && r.departure <= loose && r.phase_error <= loose;
 }
 
 int run(const Options& o) {
@@ -103,7 +118,6 @@ int run(const Options& o) {
   if (sweep && o.forces.empty()) throw UsageError("--frequencies needs a force: --force LABEL=F");
   if (!sweep && o.initial.empty() && o.forces.empty()) throw UsageError("nothing moves: give --initial FILE.csv (columns label,q,qdot) or --force");
   Job job(o.source, o.output);
-  o.source.remark_on_tolerance(o.output);
   if (sweep) {
     const io::FrequencyReport report = job.solve([&](const auto& system) { return swept(system, o); });
     o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
@@ -114,16 +128,7 @@ int run(const Options& o) {
   report.rates = o.rates;
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
   if (!report.remark.empty()) o.output.say(report.remark);
-  if (!report.complete) {
-    o.output.say("not certified: the index balance does not close, so some motion may be missing");
-    return not_certified;
-  }
-  constexpr double loose = 1e-6;
-  if (!(report.departure <= loose)) {
-    o.output.say(fmt::format("the parts of the motion add up to the initial state to {:.1e} only: modes so close to each other are not told apart", report.departure));
-    return not_certified;
-  }
-  return done;
+  return certified(report, o.output) ? done : not_certified;
 }
 
 }  // namespace

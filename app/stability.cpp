@@ -49,17 +49,16 @@ Axis axis_of(const std::string& text) {
   return axis;
 }
 
-ModesOptions options_of(const io::Model& model, const Options& o) {
+ModesOptions options_of(const io::Model& model) {
   ModesOptions options;
-  options.structure = o.source.structure();
   if (std::holds_alternative<Spacecraft>(model.system)) options.lowest = 1;  // the verdict needs no window
   return options;
 }
 
 StabilityPoint verdict_at(const io::VariedModel& varied, const std::vector<std::string>& keys, const std::vector<double>& values, const Options& o) {
   try {
-    const io::Model model = varied.at(keys, values);
-    return stability_point(std::visit([&](const auto& system) { return find_modes(system, options_of(model, o)); }, model.system));
+    const io::Model model = o.source.admitted(varied.at(keys, values));
+    return stability_point(std::visit([&](const auto& system) { return find_modes(system, options_of(model)); }, model.system));
   } catch (const BrokenPromise& e) {
     StabilityPoint p;
     p.lawful = false;
@@ -110,8 +109,7 @@ int run(const Options& o) {
   require_bounded(axes);
   if (!axes.empty() && o.source.model.empty()) throw UsageError("--vary changes numbers of a model file: give one instead of --mass and --stiffness");
   Job job(o.source, o.output);
-  o.source.remark_on_tolerance(o.output);
-  ModesOptions options = options_of(job.model(), o);
+  ModesOptions options = options_of(job.model());
   options.shapes = true;
   io::StabilityReport report;
   report.result = job.solve([&](const auto& system) { return find_modes(system, options); });

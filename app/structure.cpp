@@ -41,10 +41,12 @@ void describe_booms(const Spacecraft& s, io::StructureReport& r) {
 template <class Matrices>
 void describe_booms(const Matrices&, io::StructureReport&) {}
 
+Structure searched(const System& s) { return analyse(s, HiddenSearch::always); }
+template <class Other>
+Structure searched(const Other& s) { return analyse(s); }
+
 template <class Matrices>
-ComplexMatrix impedance_of(const Matrices& system, const Options& o, double omega) {
-  return without_ignored_couplings(system, o.source.structure()).impedance(omega);
-}
+ComplexMatrix impedance_of(const Matrices& system, const Options&, double omega) { return system.impedance(omega); }
 
 ComplexMatrix impedance_of(const Spacecraft& spacecraft, const Options& o, double omega) {
   if (!(omega > 0)) throw UsageError(fmt::format("--at {}: a frequency above 0 was expected", o.at));
@@ -55,11 +57,8 @@ int run(const Options& o) {
   Job job(o.source, o.output);
   const io::StructureReport report = job.solve([&](const auto& system) {
     io::StructureReport r;
-    r.coupling_tolerance = o.source.coupling_tolerance;
     r.stiffness_applies = !std::is_same_v<std::decay_t<decltype(system)>, FirstOrderSystem>;
-    StructureOptions options = o.source.structure();
-    options.hidden = HiddenSearch::always;
-    r.structure = analyse(system, options);
+    r.structure = searched(system);
     r.stiffness = described(system);
     describe_booms(system, r);
     if (!o.at.empty()) {

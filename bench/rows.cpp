@@ -37,7 +37,7 @@ struct Ours {
   }
 
   void solve() { path = dense::solve(system, component).path; }
-  void find() { path = find_modes(system, {.window = {}, .lowest = {}, .shapes = true, .structure = {}}).path; }
+  void find() { path = find_modes(system, {.window = {}, .lowest = {}, .shapes = true}).path; }
 
   Contestant dense_solve() {
     return {"gyromode", "dense::solve, method automatic: roots and shapes", {}, [this] { solve(); }};

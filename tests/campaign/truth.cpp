@@ -92,7 +92,7 @@ void compare_window(const ModesResult& r, const Truth& t, Faults& f) {
 Truth truth_of(const HostileSystem& h) {
   Truth t;
   const System base(h.base.mass, h.base.gyroscopic, h.base.stiffness);
-  for (const Component& c : analyse(base, {.coupling_tolerance = 0, .hidden = HiddenSearch::never}).components) {
+  for (const Component& c : analyse(base, HiddenSearch::never).components) {
     const auto& at = c.coordinates;
     const reference::Spectrum s = reference::spectrum(h.base.mass(at, at), h.base.gyroscopic(at, at), h.base.stiffness(at, at));
     t.zero_pairs += s.zero_roots / 2;

@@ -106,6 +106,76 @@ class Response(WithFolder):
         self.refused(1, ["A:B:N"], "response", SPRINGS, "--force", "x=1", "--frequencies", "1:2")
         self.refused(3, ["matrix models"], "response", GEOS, "--force", "theta1=1", "--frequencies", "1:2:3")
 
+    def matrices(self, stiffness, gyroscopic=None, mass="[[1, 0], [0, 1]]"):
+        model = self.path / "m.toml"
+        model.write_text(f'kind = "matrices"\nmass = {mass}\nstiffness = {stiffness}\n' + (f"gyroscopic = {gyroscopic}\n" if gyroscopic else ""))
+        return model
+
+    def test_weak_resonance(self):
+        ask = ["--force", "q1=1", "--frequencies", "1.5:2.5:3"]
+        model = self.matrices("[[1, 1e-12], [1e-12, 4]]")
+        r = self.json("response", model, *ask)
+        self.assertEqual(r["resonances"], [2])
+        self.assertEqual(r["modes"][0]["driven"], "yes")
+        self.assertAlmostEqual(r["modes"][0]["participation"] / (1e-12 / 3), 1, delta=1e-2)
+        rows = self.rows("response", model, *ask)
+        at = [row for row in rows if row["omega"] == "2"]
+        self.assertEqual([(row["resonance"], row["driven"], row["q1 re"]) for row in at], [("1", "yes", "inf")])
+        said = run("response", model, *ask, "--format", "table")
+        self.assertIn("participation 3.3e-13", said.stderr)
+        self.assertIn("resonance, participation 3.3e-13", said.stdout)
+        # Exactly not driven: another component.
+        model = self.matrices("[[1, 0], [0, 4]]")
+        r = self.json("response", model, *ask)
+        self.assertEqual((r["resonances"], [m["driven"] for m in r["modes"]], r["modes"][0]["participation"]), ([], ["no"], 0))
+        self.assertEqual(run("response", model, *ask).stderr, "")
+        # Not driven but by rounding: (1, 1) on the mode (1, −1).
+        model = self.matrices("[[2.5, -1.5], [-1.5, 2.5]]")
+        result = run("response", model, "--force", "q1=1,q2=1", "--frequencies", "1.5:2.5:3")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("cannot be told", result.stderr)
+        at = [row for row in csv.DictReader(io.StringIO(result.stdout)) if row["omega"] == "2"]
+        self.assertEqual([(row["resonance"], row["driven"]) for row in at], [("0", "undecided")])
+        self.assertAlmostEqual(float(at[0]["q1 re"]), -1 / 3, delta=1e-9)
+
+    def test_phases_after_a_long_time(self):
+        start = self.initial("label,q,qdot\nq1,1,0\nq2,0,1\n")
+        model = self.matrices("[[1, 0.1], [0.1, 4]]")
+        for t, code in (("1e3", 0), ("1e12", 4)):
+            result = run("response", model, "--initial", start, "--until", t, "--step", t)
+            self.assertEqual(result.returncode, code, result.stderr)
+            self.assertEqual("phases are known to" in result.stderr, code == 4, result.stderr)
+            self.assertEqual(len(result.stdout.splitlines()), 3)  # written all the same
+        self.assertLess(self.json("response", model, "--initial", start, "--until", "1e3", "--step", "1e3")["phase_error"], 1e-11)
+
+    def test_couplings_left_out(self):
+        model = self.matrices("[[1, 1e-3], [1e-3, 4]]")
+        leave, without = ["--coupling-tolerance", "0.01"], self.path / "without.toml"
+        without.write_text(model.read_text().replace("1e-3", "0"))
+        for ask in (["response", "--force", "q1=1", "--frequencies", "0.5:2.5:5"], ["response", "--force", "impulse:q1=1", "--until", "9", "--step", "3"], ["modes", "--shapes"],
+                    ["count", "--below", "3"], ["stability"], ["structure", "--at", "1.5"]):
+            cut, plain, whole = (self.json(ask[0], m, *ask[1:], *more) for m, more in ((model, leave), (without, []), (model, [])))
+            self.assertEqual(cut["model"]["couplings_left_out"], {"up_to": 0.01, "largest": 0.00025})
+            self.assertNotIn("couplings_left_out", whole["model"])
+            for d in (cut, plain):
+                for head in ("model", "timings", "checks"):
+                    d.pop(head, None)
+                d.get("structure", {}).pop("largest_ignored_coupling", None)
+            self.assertEqual(cut, plain, ask)
+            self.assertIn("left out, as asked: the largest of them is 0.00025", run(ask[0], model, *ask[1:], *leave).stderr)
+        folder = self.path / "matrices"
+        self.assertEqual(run("convert", model, "-o", folder, *leave).returncode, 0)
+        self.assertNotIn("0.001", (folder / "K.mtx").read_text())
+        for none in ("nan", "inf", "-0.01", "0.2", "x", "1e400"):
+            self.refused(1, ["--coupling-tolerance", f"'{none}'", "from 0 to 0.1"], "modes", model, f"--coupling-tolerance={none}")
+        self.refused(3, ["matrix models"], "convert", GEOS, "-o", folder, *leave)
+
+    def test_couplings_left_out_of_a_map(self):
+        model = self.matrices("[[1, 1e-3], [1e-3, 4]]")
+        ask = ["stability", model, "--vary", "stiffness[1][1]=1e-7:3:2"]  # without the coupling K > 0 throughout
+        self.assertEqual([c["stability"] for c in self.json(*ask)["map"]], ["unstable", "stable"])
+        self.assertEqual([c["stability"] for c in self.json(*ask, "--coupling-tolerance", "0.01")["map"]], ["stable", "stable"])
+
     def test_spacecraft(self):
         r = self.json("response", GEOS, "--force", "impulse:zeta1=273.6", "--points", "cable1@1,cable2@0", "--until", "60", "--step", "30")
         # Pushed at P, which is the mass centre at first: the whole goes on at 1 m/s in a straight line.

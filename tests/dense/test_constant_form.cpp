@@ -16,7 +16,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-dense::ConstantForm form_of(const System& s) { return dense::constant_form(s, analyse(s, {0, HiddenSearch::always})); }
+dense::ConstantForm form_of(const System& s) { return dense::constant_form(s, analyse(s, HiddenSearch::always)); }
 
 // Eigenvalues of W are the ω² of the modes (and −σ² of divergence), and W u = ω²u for u = (displacement + jω velocity) X.
 void expect_form(const System& s, const char* what) {

@@ -121,7 +121,7 @@ TEST(DefiniteModes, AgreeWithTheCompanionMatrix) {
     const Matrix gamma = source.skew(n);
     const Matrix k = source.symmetric(n, 0);
     const ComplexModes m = definite_modes(gamma, lower_root(k));
-    EXPECT_LE(worst_root(gamma, k, all_roots(m.omega, {}, {})), 4) << "n = " << n;
+    EXPECT_LE(worst_root(gamma, k, all_roots(m.omega, {})), 4) << "n = " << n;
     ComplexMatrix x(n, n);
     x.real() = m.re;
     x.imag() = m.im;

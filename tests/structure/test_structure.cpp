@@ -1,6 +1,7 @@
 // Partition and components against brute force over all 2ⁿ colourings, witnesses walked step by step; definiteness against congruences of
 // integer matrices, whose inertia is known and whose singularity is exact.
 
+#include "gyromode/structure/ignored_couplings.h"
 #include "gyromode/structure/structure.h"
 
 #include <Eigen/Dense>
@@ -94,7 +95,7 @@ TEST(Partition, HandMadeGraphs) {
   EXPECT_EQ(square.system_class(), SystemClass::quadrature);
 
   const System ring = linked(4, {{1, 2, 'G'}, {2, 3, 'G'}, {3, 1, 'G'}});
-  const Structure triangle = analyse(ring, {0, HiddenSearch::never});
+  const Structure triangle = analyse(ring, HiddenSearch::never);
   EXPECT_EQ(analyse(ring).system_class(), SystemClass::hidden_quadrature);  // M and K are 1: every skew G has a basis of two groups
   ASSERT_EQ(triangle.components.size(), 2u);
   EXPECT_TRUE(triangle.components[0].quadrature() && !triangle.components[1].quadrature());
@@ -197,30 +198,52 @@ TEST(Partition, LargeRandomSystemsHaveAWitness) {
 TEST(Coupling, ToleranceIsRelativeToEachMatrix) {
   for (const double unit : unit_scales) {
     const System s = linked(3, {{0, 1, 'M', 0.006}, {0, 2, 'K', -0.0006}, {1, 2, 'G', 0.04}, {0, 2, 'G', 4}}, unit);
-    const auto at = [&](double tolerance) { return analyse(s, {tolerance}); };
-    EXPECT_EQ(at(0).largest_ignored_coupling, 0);
+    const auto at = [&](double tolerance) { return analyse(without_ignored_couplings(s, tolerance)); };
+    const auto largest = [&](double tolerance) { return ignored_couplings(s, tolerance).largest; };
+    EXPECT_EQ(largest(0), 0);
     EXPECT_EQ(at(0).components[0].quadrature(), false);
-    EXPECT_EQ(at(0.00009).largest_ignored_coupling, 0);
-    EXPECT_NEAR(at(0.00011).largest_ignored_coupling, 0.0001, 1e-15);
+    EXPECT_EQ(largest(0.00009), 0);
+    EXPECT_NEAR(largest(0.00011), 0.0001, 1e-15);
     EXPECT_EQ(at(0.00011).in_quadrature(), Places{2});
-    EXPECT_NEAR(at(0.0011).largest_ignored_coupling, 0.001, 1e-15);
+    EXPECT_NEAR(largest(0.0011), 0.001, 1e-15);
     EXPECT_EQ(at(0.0011).in_phase(), (Places{0, 1}));  // 0 –G– 2 –G– 1
-    EXPECT_NEAR(at(0.011).largest_ignored_coupling, 0.01, 1e-15);
+    EXPECT_NEAR(largest(0.011), 0.01, 1e-15);
     EXPECT_EQ(at(0.011).components.size(), 2u);
-    const System cut = without_ignored_couplings(s, {0.0011});
+    const System cut = without_ignored_couplings(s, 0.0011);
     EXPECT_TRUE(cut.mass() == Matrix(s.mass().diagonal().asDiagonal()) && cut.stiffness() == Matrix(s.stiffness().diagonal().asDiagonal()));
     EXPECT_TRUE(cut.gyroscopic() == s.gyroscopic() && cut.labels() == s.labels());
-    EXPECT_TRUE(without_ignored_couplings(s, {}).mass() == s.mass());
+    EXPECT_TRUE(without_ignored_couplings(s, 0).mass() == s.mass());
     const FirstOrderSystem f(s.mass(), s.gyroscopic());
-    EXPECT_TRUE(without_ignored_couplings(f, {0.011}).inertia() == cut.mass());
-    EXPECT_EQ(without_ignored_couplings(f, {0.011}).gyroscopic()(1, 2), 0);
+    EXPECT_TRUE(without_ignored_couplings(f, 0.011).inertia() == cut.mass());
+    EXPECT_EQ(without_ignored_couplings(f, 0.011).gyroscopic()(1, 2), 0);
+    EXPECT_NEAR(ignored_couplings(f, 0.011).largest, 0.01, 1e-15);
   }
-  EXPECT_EQ(analyse(linked(2, {{0, 1, 'K', 1e-300}, {0, 1, 'G'}}), {0, HiddenSearch::never}).system_class(), SystemClass::general);  // tolerance 0 ignores nothing
-  const System limit = linked(2, {{0, 1, 'G', 6}});  // ignored at the limit
-  EXPECT_EQ(analyse(limit, {1}).components.size(), 2u);
-  EXPECT_EQ(without_ignored_couplings(limit, {1}).gyroscopic()(0, 1), 0);
+  EXPECT_EQ(analyse(linked(2, {{0, 1, 'K', 1e-300}, {0, 1, 'G'}}), HiddenSearch::never).system_class(), SystemClass::general);  // tolerance 0 leaves nothing out
+  const System limit = linked(2, {{0, 1, 'G', 6}});  // left out at the limit
+  EXPECT_EQ(analyse(without_ignored_couplings(limit, 1)).components.size(), 2u);
   const Matrix light = Eigen::Vector2d(1, 1e-6).asDiagonal();  // a diagonal is no coupling, however small
-  EXPECT_TRUE(without_ignored_couplings(System(light, Matrix::Zero(2, 2), light), {0.1}).mass() == light);
+  EXPECT_TRUE(without_ignored_couplings(System(light, Matrix::Zero(2, 2), light), 0.1).mass() == light);
+}
+
+TEST(Coupling, ToleranceIsAFraction) {
+  const System s = linked(2, {{0, 1, 'K'}});
+  const FirstOrderSystem f(s.mass(), s.gyroscopic());
+  for (const double none : {-1e-300, 1.1, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(without_ignored_couplings(s, none), std::invalid_argument) << none;
+    EXPECT_THROW(without_ignored_couplings(f, none), std::invalid_argument) << none;
+    EXPECT_THROW(ignored_couplings(s, none), std::invalid_argument) << none;
+  }
+}
+
+// Positive by its smallest coupling alone: det = 0.0455, and −0.28 without it.
+TEST(Coupling, MassWithoutThemMustBePositive) {
+  const Matrix weak{{1, 0.8, 0.35}, {0.8, 1, 0.8}, {0.35, 0.8, 1}};
+  try {
+    without_ignored_couplings(System(weak, Matrix::Zero(3, 3), Matrix::Identity(3, 3)), 0.4);
+    ADD_FAILURE() << "M without its smallest coupling is indefinite";
+  } catch (const BrokenPromise& e) {
+    EXPECT_NE(std::string(e.what()).find("couplings up to 0.4"), std::string::npos) << e.what();
+  }
 }
 
 // ---- definiteness

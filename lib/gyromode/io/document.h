@@ -42,7 +42,6 @@ struct StructureReport {
   Stiffness stiffness;
   bool stiffness_applies = true;          ///< false for first-order models
   std::optional<RealifiedAt> at;
-  double coupling_tolerance = 0;
   std::vector<HeldBoom> held_booms;           ///< of a spacecraft: the poles of its booms
   std::vector<EffectiveAxes> effective_axes;  ///< of spacecraft that axes 1 and 2 do not part into in phase and in quadrature
 };
@@ -67,7 +66,8 @@ struct ResponseReport {
   Stability stability = Stability::unknown;
   double initial_energy = 0, zero_energy = 0, remainder_energy = 0;
   double departure = 0;      ///< of the decomposition, relative
-  bool complete = false;     ///< the index balance of the modes closes
+  double phase_error = 0;    ///< rad, at the last time
+  bool balance_closed = false;
   std::string remark;
 };
 

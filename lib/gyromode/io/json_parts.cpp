@@ -75,6 +75,7 @@ Json head(std::string_view schema, const Model& model, const Timings& timings) {
   Json j;
   j["schema"] = schema;
   j["model"] = {{"title", model.title}, {"sha256", model.sha256}, {"coordinates", model.size()}, {"kind", model.kind}, {"frame", "turning"}};
+  if (model.ignored) j["model"]["couplings_left_out"] = {{"up_to", model.ignored->tolerance}, {"largest", model.ignored->largest}};
   j["versions"] = {{"gyromode", version()}, {"blas", lapack::library()}};
   j["timings"] = {{"read_s", timings.read}, {"solve_s", timings.solve}};
   return j;
@@ -91,7 +92,7 @@ Json structure_facts(const Model& model, const Structure& s, const Stiffness& k,
     j["negative"] = k.negative;
     j["zero"] = k.zero;
   }
-  if (s.largest_ignored_coupling > 0) j["largest_ignored_coupling"] = s.largest_ignored_coupling;
+  if (model.ignored && model.ignored->largest > 0) j["largest_ignored_coupling"] = model.ignored->largest;
   return j;
 }
 

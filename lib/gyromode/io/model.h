@@ -2,6 +2,7 @@
 
 #include "gyromode/io/input_error.h"
 #include "gyromode/spacecraft/spacecraft.h"
+#include "gyromode/structure/ignored_couplings.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/system.h"
 
@@ -30,6 +31,7 @@ struct Model {
   std::variant<System, FirstOrderSystem, Spacecraft> system;
   std::optional<double> spin;  ///< rad/s, where the system depends on it
   KnownValues known;
+  std::optional<IgnoredCouplings> ignored = std::nullopt;  ///< where `system` is that of the file without its weak couplings
 
   Index size() const;
   const Labels& labels() const;

@@ -47,6 +47,8 @@ std::string response_json(const Model& model, const ResponseReport& r, const Tim
   }
   j["energy"] = {{"initial", r.initial_energy}, {"zero_roots", r.zero_energy}, {"growing_or_double_roots", r.remainder_energy}};
   j["departure"] = r.departure;
+  j["phase_error"] = r.phase_error;
+  j["balance_closed"] = r.balance_closed;
   if (!r.remark.empty()) j["remark"] = r.remark;
   return text(j);
 }
@@ -55,6 +57,7 @@ std::string response_text(const Model& model, const ResponseReport& r, Format fo
   std::string out = heading(format, model_line(model));
   out += fact(format, "stability", stability_words(r.stability));
   out += fact(format, "energy", fmt::format("{:.10g} at first; {:.6g} in zero roots, {:.6g} in growing motion and double roots, the rest in modes", r.initial_energy, r.zero_energy, r.remainder_energy));
+  out += fact(format, "accuracy", fmt::format("{:.1e} of the motion at first; phases at the last time to {:.1e} rad", r.departure, r.phase_error));
   if (!r.remark.empty()) out += fact(format, "remark", r.remark);
   Grid shares({"ω [rad/s]", "amplitude", "phase [rad]", "energy", "largest in"});
   for (const ModalShare& m : r.modal) {
@@ -79,14 +82,15 @@ std::string response_text(const Model& model, const ResponseReport& r, Format fo
 std::string frequency_csv(const FrequencyReport& r) {
   std::string out = "omega,resonance,added";
   for (const std::string& label : r.labels) out += fmt::format(",{},{}", csv_field(label + " re"), csv_field(label + " im"));
-  out += "\n";
+  out += ",driven,participation\n";
   for (const FrequencyPoint& p : r.response.points) {
-    out += fmt::format("{},{},{}", p.omega, p.resonance ? 1 : 0, p.added ? 1 : 0);
+    out += fmt::format("{},{},{}", p.omega, p.resonance() ? 1 : 0, p.added ? 1 : 0);
     for (std::size_t i = 0; i < r.labels.size(); ++i) {
-      if (p.resonance) out += ",inf,";
+      if (p.resonance()) out += ",inf,";
       else out += fmt::format(",{},{}", p.q(static_cast<Index>(i)).real(), p.q(static_cast<Index>(i)).imag());
     }
-    out += "\n";
+    const bool on = p.participation && !p.added;  // a mode
+    out += fmt::format(",{},{}\n", on ? word(p.driven) : "", p.participation ? fmt::format("{}", *p.participation) : "");
   }
   return out;
 }
@@ -94,16 +98,32 @@ std::string frequency_csv(const FrequencyReport& r) {
 std::string frequency_json(const Model& model, const FrequencyReport& r, const Timings& timings) {
   Json j = head("gyromode/frequency_response/1", model, timings);
   j["labels"] = r.labels;
-  j["resonances"] = r.response.resonances;
+  j["resonances"] = r.response.resonances();
+  j["modes"] = Json::array();
+  for (const DrivenMode& m : r.response.modes) {
+    j["modes"].push_back({{"omega", m.omega}, {"error_bound", m.error}, {"driven", word(m.driven)}, {"participation", m.participation}, {"resolution", m.resolution}});
+  }
   j["points"] = Json::array();
   for (const FrequencyPoint& p : r.response.points) {
-    Json one{{"omega", p.omega}, {"resonance", p.resonance}, {"added", p.added}};
+    Json one{{"omega", p.omega}, {"resonance", p.resonance()}, {"added", p.added}};
+    if (p.participation && !p.added) one["driven"] = word(p.driven);
+    if (p.participation) one["participation"] = *p.participation;
     const Vector re = p.q.real(), im = p.q.imag();
-    one["re"] = p.resonance ? Json(nullptr) : Json(numbers(re));
-    one["im"] = p.resonance ? Json(nullptr) : Json(numbers(im));
+    one["re"] = p.resonance() ? Json(nullptr) : Json(numbers(re));
+    one["im"] = p.resonance() ? Json(nullptr) : Json(numbers(im));
     j["points"].push_back(std::move(one));
   }
   return text(j);
+}
+
+std::string note(const FrequencyPoint& p) {
+  if (p.added) return "beside a resonance";
+  if (!p.participation) return "";
+  switch (p.driven) {
+    case Driven::yes: return fmt::format("resonance, participation {:.2g}", *p.participation);
+    case Driven::undecided: return fmt::format("limit at a mode: whether it is driven cannot be told, participation {:.1g}", *p.participation);
+    default: return "limit at a mode that is not driven";
+  }
 }
 
 std::string frequency_text(const Model& model, const FrequencyReport& r, Format format) {
@@ -116,8 +136,8 @@ std::string frequency_text(const Model& model, const FrequencyReport& r, Format 
   Grid grid(head);
   for (const FrequencyPoint& p : r.response.points) {
     std::vector<std::string> row{fmt::format("{:.10g}", p.omega)};
-    for (Index i = 0; i < shown; ++i) row.push_back(p.resonance ? "∞" : fmt::format("{:.6g}", std::abs(p.q(i))));
-    row.push_back(p.resonance ? "resonance" : p.added ? "beside one" : "");
+    for (Index i = 0; i < shown; ++i) row.push_back(p.resonance() ? "∞" : fmt::format("{:.6g}", std::abs(p.q(i))));
+    row.push_back(note(p));
     grid.add(std::move(row));
   }
   return out + written(grid, format);

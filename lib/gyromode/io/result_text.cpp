@@ -35,9 +35,7 @@ std::string shape_table(const Model& model, const std::vector<Mode>& modes, Form
 std::string modes_text(const Model& model, const ModesResult& r, Format format) {
   std::string out = heading(format, model_line(model));
   out += fact(format, "class", class_words(model, r.structure) + (r.first_order ? "" : "; " + stiffness_words(r.stiffness)));
-  if (r.structure.largest_ignored_coupling > 0) {
-    out += fact(format, "ignored", fmt::format("couplings up to {:.2g} of the largest entry were left out, as asked", r.structure.largest_ignored_coupling));
-  }
+  if (model.ignored) out += fact(format, "left out", in_words(*model.ignored));
   out += fact(format, "solver", r.path);
   out += fact(format, "stability", stability_words(r.stability));
   out += fact(format, "coverage", coverage_words(r.coverage));

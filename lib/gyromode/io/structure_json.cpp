@@ -51,7 +51,7 @@ std::string structure_json(const Model& model, const StructureReport& r, const T
     checks["symmetry_errors"] = {{"inertia", f.symmetry_errors().inertia}, {"gyroscopic", f.symmetry_errors().gyroscopic}};
     checks["scales"] = {{"inertia", f.inertia().cwiseAbs().maxCoeff()}, {"gyroscopic", f.gyroscopic().cwiseAbs().maxCoeff()}};
   }
-  checks["coupling_tolerance"] = r.coupling_tolerance;
+  checks["coupling_tolerance"] = model.ignored ? model.ignored->tolerance : 0;
   j["checks"] = std::move(checks);
   if (!r.held_booms.empty()) {
     j["held_booms"] = Json::array();

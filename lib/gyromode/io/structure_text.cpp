@@ -73,10 +73,7 @@ std::string structure_text(const Model& model, const StructureReport& r, Format 
   out += symmetry_facts(model, s, format);
   if (r.stiffness_applies) out += fact(format, "stiffness", stiffness_words(r.stiffness));
   out += fact(format, "components", fmt::format("{}", s.components.size()));
-  if (r.coupling_tolerance > 0) {
-    out += fact(format, "tolerance", fmt::format("couplings up to {:.2g} of the largest entry count as none; the largest left out is {:.2g}", r.coupling_tolerance,
-                                                 s.largest_ignored_coupling));
-  }
+  if (model.ignored) out += fact(format, "left out", in_words(*model.ignored));
   if (s.components.size() > 1) {
     Grid grid({"component", "coordinates", "class"});
     for (std::size_t c = 0; c < s.components.size(); ++c) {

@@ -77,18 +77,19 @@ SolvedComponent best_component(const AnySystem& system, const Component& compone
 }
 
 // A reversing symmetry is of use to two methods only.
-StructureOptions searched(StructureOptions options, dense::Method method) {
-  if (method == dense::Method::hidden) options.hidden = HiddenSearch::always;
-  else if (method != dense::Method::automatic) options.hidden = HiddenSearch::never;
-  return options;
+HiddenSearch search_for(dense::Method method) {
+  if (method == dense::Method::hidden) return HiddenSearch::always;
+  return method == dense::Method::automatic ? HiddenSearch::by_cost : HiddenSearch::never;
 }
 
+Structure structure_for(const System& system, dense::Method method) { return analyse(system, search_for(method)); }
+Structure structure_for(const FirstOrderSystem& system, dense::Method) { return analyse(system); }
+
 template <class AnySystem>
-SolvedSystem solved(const AnySystem& given, const StructureOptions& options, dense::Method method) {
-  const AnySystem system = without_ignored_couplings(given, options);
+SolvedSystem solved(const AnySystem& system, dense::Method method) {
   SolvedSystem s;
-  s.structure = analyse(given, searched(options, method));
-  s.size = given.size();
+  s.structure = structure_for(system, method);
+  s.size = system.size();
   for (const Component& component : s.structure.components) {
     s.components.push_back(best_component(system, component, method));
     to_given_units(s.components.back());
@@ -122,12 +123,10 @@ bool opposite_roots_coincide(const SolvedSystem& s) {
 
 }  // namespace
 
-SolvedSystem solve_components(const System& system, const StructureOptions& structure, dense::Method method) {
-  return solved(system, structure, method);
-}
+SolvedSystem solve_components(const System& system, dense::Method method) { return solved(system, method); }
 
-SolvedSystem solve_components(const FirstOrderSystem& system, const StructureOptions& structure, dense::Method method) {
-  SolvedSystem s = solved(system, structure, method);
+SolvedSystem solve_components(const FirstOrderSystem& system, dense::Method method) {
+  SolvedSystem s = solved(system, method);
   s.first_order = true;
   return s;
 }

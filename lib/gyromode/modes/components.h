@@ -37,7 +37,7 @@ struct SolvedSystem {
   Index negative_at_zero() const;
 };
 
-SolvedSystem solve_components(const System& system, const StructureOptions& structure, dense::Method method);
-SolvedSystem solve_components(const FirstOrderSystem& system, const StructureOptions& structure, dense::Method method);
+SolvedSystem solve_components(const System& system, dense::Method method);
+SolvedSystem solve_components(const FirstOrderSystem& system, dense::Method method);
 
 }  // namespace gyromode

@@ -43,14 +43,14 @@ std::string_view word(CountStatus status) {
   }
 }
 
-CountResult count_modes(const System& system, const Window& window, const StructureOptions& options) {
+CountResult count_modes(const System& system, const Window& window) {
   require_window(window);
-  return counted(solve_components(system, options, dense::Method::automatic), window);
+  return counted(solve_components(system, dense::Method::automatic), window);
 }
 
-CountResult count_modes(const FirstOrderSystem& system, const Window& window, const StructureOptions& options) {
+CountResult count_modes(const FirstOrderSystem& system, const Window& window) {
   require_window(window);
-  return counted(solve_components(system, options, dense::Method::automatic), window);
+  return counted(solve_components(system, dense::Method::automatic), window);
 }
 
 }  // namespace gyromode

@@ -22,7 +22,7 @@ struct CountResult {
 
 /// The system is solved as well: an indefinite K needs its negative-energy modes, and the solution shows where an endpoint is on a mode. `exact` where the index
 /// balance closes and the count agrees with the modes found.
-CountResult count_modes(const System& system, const Window& window, const StructureOptions& options = {});
-CountResult count_modes(const FirstOrderSystem& system, const Window& window, const StructureOptions& options = {});
+CountResult count_modes(const System& system, const Window& window);
+CountResult count_modes(const FirstOrderSystem& system, const Window& window);
 
 }  // namespace gyromode

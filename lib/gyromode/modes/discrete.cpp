@@ -36,7 +36,7 @@ ModesResult find_modes(const Spacecraft& spacecraft, const Mesh& mesh, const Mod
   for (Mode& m : r.modes) {
     if (options.shapes) m.shape = normalised(rest.restored(m.shape, m.omega));
   }
-  r.structure = analyse(whole, options.structure);
+  r.structure = analyse(whole);
   r.index_balance.zero += 2;
   r.stiffness.zero += 2;
   if (r.stiffness.sign == Sign::positive) r.stiffness.sign = Sign::semidefinite;

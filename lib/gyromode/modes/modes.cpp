@@ -116,12 +116,12 @@ std::string_view word(CoverageStatus status) {
 
 ModesResult find_modes(const System& system, const ModesOptions& options) {
   require_options(options);
-  return result_of(solve_components(system, options.structure, options.method), options);
+  return result_of(solve_components(system, options.method), options);
 }
 
 ModesResult find_modes(const FirstOrderSystem& system, const ModesOptions& options) {
   require_options(options);
-  return result_of(solve_components(system, options.structure, options.method), options);
+  return result_of(solve_components(system, options.method), options);
 }
 
 }  // namespace gyromode

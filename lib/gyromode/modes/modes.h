@@ -11,7 +11,6 @@ struct ModesOptions {
   Window window;                                    ///< modes reported; a dense solver finds all whatever the window
   std::optional<Index> lowest;                      ///< only so many that are not rigid-body modes, with the rigid-body ones below them
   bool shapes = false;                              ///< n complex numbers a mode
-  StructureOptions structure;                       ///< which couplings count
 };
 
 /// All modes of a dense system in a window, with stability verdict and coverage (theory §1, §3–§5).

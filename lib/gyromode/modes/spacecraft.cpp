@@ -50,7 +50,7 @@ void require_within_reach(const Spacecraft& s, const Window& w) {
 
 }  // namespace
 
-Structure analyse(const Spacecraft& spacecraft, const StructureOptions&) {
+Structure analyse(const Spacecraft& spacecraft) {
   const SpacecraftImpedance impedance(spacecraft);
   return structure_of(BlockedImpedance(impedance));
 }
@@ -101,7 +101,7 @@ ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options
   return r;
 }
 
-CountResult count_modes(const Spacecraft& spacecraft, const Window& requested, const StructureOptions&) {
+CountResult count_modes(const Spacecraft& spacecraft, const Window& requested) {
   require_window(requested);
   require_within_reach(spacecraft, requested);
   const SpacecraftSolution s(spacecraft);

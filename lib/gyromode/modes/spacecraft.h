@@ -12,10 +12,10 @@ namespace gyromode {
 ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options = {});
 
 /// By the counts at the ends of the window alone.
-CountResult count_modes(const Spacecraft& spacecraft, const Window& window, const StructureOptions& options = {});
+CountResult count_modes(const Spacecraft& spacecraft, const Window& window);
 
 /// Which of (ζ, θ) move in phase, which in quadrature, and which do not meet.
-Structure analyse(const Spacecraft& spacecraft, const StructureOptions& options = {});
+Structure analyse(const Spacecraft& spacecraft);
 
 /// H(ω) on (ζ, θ) at the mass centre of the complete satellite, in N and N m per m and rad, ω > 0.
 ComplexMatrix impedance_at(const Spacecraft& spacecraft, double omega);

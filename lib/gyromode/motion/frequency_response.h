@@ -1,7 +1,8 @@
 #pragma once
 
-#include "gyromode/system/system.h"
+#include "gyromode/motion/driven_modes.h"
 
+#include <optional>
 #include <vector>
 
 namespace gyromode {
@@ -9,18 +10,23 @@ namespace gyromode {
 /// q of q e^{jωt} under a force f e^{jωt}: H(ω) q = f.
 struct FrequencyPoint {
   double omega = 0;
-  ComplexVector q;          ///< n; empty at a resonance
-  bool resonance = false;   ///< ω is a mode's to rounding, and the force drives it: the response is unbounded
-  bool added = false;       ///< not on the grid: put beside a resonance to show it
+  ComplexVector q;               ///< n; empty at a resonance; on a mode that is not driven, or of which this cannot be told, the limit from both sides
+  Driven driven = Driven::no;    ///< whether ω is that of a mode, within its error, that the force drives: `yes` is a resonance, the response is unbounded; `undecided`: q holds if it is none
+  bool added = false;            ///< not on the grid: put beside a resonance to show it
+  std::optional<double> participation;  ///< of the mode that ω is on, or was put beside
+
+  bool resonance() const { return driven == Driven::yes; }
 };
 
 struct FrequencyResponse {
   std::vector<FrequencyPoint> points;  ///< ascending in ω
-  std::vector<double> resonances;      ///< modes in the range of the grid that the force drives
+  std::vector<DrivenMode> modes;       ///< those in the range of the grid, driven or not
+
+  std::vector<double> resonances() const;  ///< frequencies of the modes that the force drives, however weakly
 };
 
 /// H(ω)⁻¹f on a grid (ascending, ω ≥ 0, rad per unit of time), by one factorisation a point. With `resolve` points at ω_s(1 ± 10⁻²) … ω_s(1 ± 10⁻⁵) are put beside every mode ω_s in range that the
-/// force drives. Where a grid point is on a mode that it does not drive, the value is the limit from both sides.
+/// force drives.
 /// Throws std::invalid_argument where sizes do not fit, the grid does not ascend, or a number is not finite.
 FrequencyResponse frequency_response(const System& system, const Vector& force, const Vector& grid, bool resolve = true);
 

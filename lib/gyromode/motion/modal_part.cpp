@@ -1,5 +1,7 @@
 #include "gyromode/motion/modal_part.h"
 
+#include "gyromode/motion/frequency_error.h"
+
 #include <cmath>
 
 namespace gyromode {
@@ -32,6 +34,7 @@ ModalPart::ModalPart(const ComponentMatrices& m, const SolvedComponent& c) {
   form_.resize(omega_.size());
   const ComplexMatrix mx = m.mass.cast<Complex>() * shapes_, gx = m.gyroscopic.cast<Complex>() * shapes_;
   for (Index k = 0; k < size(); ++k) form_(k) = 2 * omega_(k) * shapes_.col(k).dot(mx.col(k)).real() + shapes_.col(k).dot(gx.col(k)).imag();
+  error_ = frequency_errors(m, shapes_, omega_, form_, c.assessment.error_bound(kept));
 }
 
 ComplexVector ModalPart::amplitudes(const ComponentMatrices& m, const State& w) const {
@@ -39,10 +42,6 @@ ComplexVector ModalPart::amplitudes(const ComponentMatrices& m, const State& w) 
   const Vector momentum = m.mass * w.qdot + m.gyroscopic * w.q;
   const ComplexVector on_q = shapes_.adjoint() * mq.cast<Complex>(), on_momentum = shapes_.adjoint() * momentum.cast<Complex>();
   return (omega_.array() * on_q.array() - Complex(0, 1) * on_momentum.array()) / form_.array();
-}
-
-ComplexVector ModalPart::excitation(const Vector& force) const {
-  return Complex(0, -1) * (shapes_.adjoint() * force.cast<Complex>()).array() / form_.array();
 }
 
 State ModalPart::state(const ComplexVector& a) const {

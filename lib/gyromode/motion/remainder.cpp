@@ -1,15 +1,23 @@
 #include "gyromode/motion/remainder.h"
 
 #include "gyromode/motion/time_course.h"
-#include "gyromode/system/scale.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <random>
 
 namespace gyromode {
+
+namespace {
+
+Matrix orthonormal(const Matrix& a) { return Eigen::HouseholderQR<Matrix>(a).householderQ() * Matrix::Identity(a.rows(), a.cols()); }
+
+}  // namespace
 
 State stripped(const ComponentMatrices& m, const ModalPart& modal, const ZeroPart& zero, State w) {
   for (int pass = 0; pass < 2; ++pass) {
@@ -21,42 +29,81 @@ State stripped(const ComponentMatrices& m, const ModalPart& modal, const ZeroPar
   return w;
 }
 
-Vector Remainder::scaled(const State& w) const {
-  Vector x(2 * w.q.size());
-  x << w.q.cwiseQuotient(scale_), w.qdot.cwiseQuotient(scale_) / unit_;
-  return x;
-}
+State Remainder::state(const Vector& y) const { return norm_->state(basis_ * y); }
+Vector Remainder::coordinates(const State& w) const { return basis_.transpose() * norm_->coordinates(w); }
 
-State Remainder::state(const Vector& y) const {
-  const Index n = scale_.size();
-  const Vector x = basis_ * y;
-  return {x.head(n).cwiseProduct(scale_), unit_ * x.tail(n).cwiseProduct(scale_)};
-}
-
-Vector Remainder::coordinates(const State& w) const { return basis_.transpose() * scaled(w); }
-
-Remainder::Remainder(const ComponentMatrices& m, const ModalPart& modal, const ZeroPart& zero, Index dimension, double unit_frequency, const std::vector<State>& starts)
-    : scale_(unit_diagonal_scale(m.mass)), unit_(unit_frequency), basis_(2 * m.mass.rows(), 0) {
-  constexpr double independent = 1e-10;  // what is left of a unit vector beside the basis: less is rounding
-  const Eigen::LLT<Matrix> mass(m.mass);
-  const Index n = m.mass.rows();
-  const auto rate = [&](const State& w) -> State { return {w.qdot, -mass.solve(m.gyroscopic * w.qdot + m.stiffness * w.q)}; };
-  const auto unscaled = [&](const Vector& x) -> State { return {x.head(n).cwiseProduct(scale_), unit_ * x.tail(n).cwiseProduct(scale_)}; };
-  const auto take = [&](Vector x) {
-    const double length = x.norm();
-    if (!(length > 0) || basis_.cols() == dimension) return;
-    x /= length;
-    for (int pass = 0; pass < 2; ++pass) x -= basis_ * (basis_.transpose() * x);
-    if (!(x.norm() > independent)) return;
-    basis_.conservativeResize(Eigen::NoChange, basis_.cols() + 1);
-    basis_.rightCols(1) = x.normalized();
-  };
-  for (const State& w : starts) take(scaled(stripped(m, modal, zero, w)));
-  for (Index k = 0; k < basis_.cols() && basis_.cols() < dimension; ++k) take(scaled(stripped(m, modal, zero, rate(unscaled(basis_.col(k))))));
-  Matrix image(2 * n, basis_.cols());
-  for (Index k = 0; k < basis_.cols(); ++k) image.col(k) = scaled(rate(unscaled(basis_.col(k))));
-  generator_ = basis_.transpose() * image;
+Remainder::Remainder(const ComponentMatrices& m, const EnergyNorm& norm, const ModalPart& modal, const ZeroPart& zero, Index dimension)
+    : norm_(&norm), basis_(Matrix::Identity(2 * m.mass.rows(), dimension)) {
+  constexpr unsigned seed = 1979;
+  const Index whole = basis_.rows();
+  if (dimension < whole) {
+    std::mt19937_64 bits(seed);
+    std::normal_distribution<double> normal;
+    for (double& x : basis_.reshaped()) x = normal(bits);
+    for (int pass = 0; pass < 2; ++pass) {  // the second takes out what an oblique projection left of the first
+      for (auto x : basis_.colwise()) x = norm.coordinates(stripped(m, modal, zero, norm.state(x)));
+      basis_ = orthonormal(basis_);
+    }
+  }
+  constexpr int corrections = 4;
+  for (int step = 0; step < corrections; ++step) {
+    const Matrix a = image(m);
+    generator_ = basis_.transpose() * a;
+    const Correction c = correction(m, modal, a - basis_ * generator_);
+    if (step > 0 && !(c.size < 0.5 * breach_)) break;
+    breach_ = c.size;
+    basis_ = orthonormal(basis_ - c.basis);
+  }
+  generator_ = basis_.transpose() * image(m);
+  take_rounding(m);
   recognise_double_root();
+}
+
+Matrix Remainder::image(const ComponentMatrices& m) const {
+  Matrix a(basis_.rows(), basis_.cols());
+  for (Index k = 0; k < basis_.cols(); ++k) {
+    const State w = norm_->state(basis_.col(k));
+    a.col(k) = norm_->coordinates({w.qdot, -norm_->accelerations(m.gyroscopic * w.qdot + m.stiffness * w.q)});
+  }
+  return a;
+}
+
+// A·basis − basis·B has parts r_s in the modes. The basis less Σ 2 Re w_s z_s, z_s(jω_s − B) = r_s, has none: with B = UTUᴴ, T triangular, z_s = (r_sU)(jω_s − T)⁻¹Uᴴ.
+// What r leaves is in no mode, and counts relative to B.
+Remainder::Correction Remainder::correction(const ComponentMatrices& m, const ModalPart& modal, Matrix breach) const {
+  const Index d = size();
+  const double rate = generator_.norm();
+  ComplexMatrix r(modal.size(), d);
+  for (Index k = 0; k < d; ++k) {
+    r.col(k) = modal.amplitudes(m, norm_->state(breach.col(k)));
+    breach.col(k) -= norm_->coordinates(modal.state(r.col(k)));
+  }
+  const double rest = breach.norm() / (rate > 0 ? rate : 1);
+  const Eigen::ComplexSchur<ComplexMatrix> schur(generator_.cast<Complex>());
+  ComplexMatrix z = r * schur.matrixU();
+  for (Index s = 0; s < modal.size(); ++s) {
+    ComplexMatrix shifted = -schur.matrixT();
+    shifted.diagonal().array() += Complex(0, modal.omega()(s));
+    z.row(s) = shifted.triangularView<Eigen::Upper>().solve<Eigen::OnTheRight>(z.row(s)).eval();
+  }
+  z = z * schur.matrixU().adjoint();
+  Correction c{Matrix::Zero(basis_.rows(), d), 0};
+  for (Index k = 0; k < d; ++k) c.basis.col(k) = norm_->coordinates(modal.state(z.col(k)));
+  c.size = std::max(c.basis.norm(), rest);
+  if (!c.basis.allFinite()) c = {Matrix::Zero(basis_.rows(), d), std::numeric_limits<double>::infinity()};
+  return c;
+}
+
+// Entry by entry of xᵀAx, x = (Rq, Lᵀv): ε |v|ᵀ(|G||v| + 2|K||q|).
+void Remainder::take_rounding(const ComponentMatrices& m) {
+  Matrix q(m.mass.rows(), size()), v = q;
+  for (Index k = 0; k < size(); ++k) {
+    const State w = norm_->state(basis_.col(k));
+    q.col(k) = w.q.cwiseAbs();
+    v.col(k) = w.qdot.cwiseAbs();
+  }
+  const Matrix terms = v.transpose() * (m.gyroscopic.cwiseAbs() * v + 2 * m.stiffness.cwiseAbs() * q);
+  rate_error_ = std::numeric_limits<double>::epsilon() * (terms.norm() + generator_.norm());
 }
 
 // (A² + ω²)² = 0 with A = S + N, S² = −ω², N² = 0, SN = NS: then A² + ω² = 2SN, so N = −A(A² + ω²)/(2ω²).

@@ -23,65 +23,72 @@ void require(const Vector& v, Index n, const char* what) {
 Response::~Response() = default;
 Response::Response(Response&&) noexcept = default;
 
-Response::Response(const System& system, const State& initial, const std::vector<Force>& forces, const StructureOptions& structure)
-    : mass_(system.mass()), stiffness_(system.stiffness()) {
+Response::Response(const System& system, const State& initial, const std::vector<Force>& forces) : units_(with_unit_masses(system)), start_(initial) {
   const Index n = system.size();
   require(initial.q, n, "initial displacements");
   require(initial.qdot, n, "initial velocities");
-  const Eigen::LLT<Matrix> mass(mass_);
-  State start = initial;
-  std::vector<Vector> lasting, accelerations;
+  const Eigen::LLT<Matrix> mass(units_.system.mass());
+  State start = in_units(initial);
+  std::vector<Vector> pushes;
   std::vector<double> frequencies;
   for (const Force& f : forces) {
     require(f.amplitude, n, "force");
-    const Vector push = mass.solve(f.amplitude);
+    const Vector push = mass.solve(units_.scale.cwiseProduct(f.amplitude));
     if (f.course == Force::Course::impulse) {
       start.qdot += push;
+      start_.qdot += units_.scale.cwiseProduct(push);
     } else {
-      lasting.push_back(f.amplitude);
-      accelerations.push_back(push);
+      pushes.push_back(push);
       frequencies.push_back(f.course == Force::Course::step ? 0 : f.frequency);
     }
   }
-  start_ = start;
-  const SolvedSystem solved = solve_components(system, structure, dense::Method::automatic);
+  const SolvedSystem solved = solve_components(units_.system, dense::Method::automatic);
   stability_ = solved.stability();
-  complete_ = solved.index_balance().closed;
-  initial_energy_ = energy_of(start, mass_, stiffness_);
-  double whole = 0, missing = 0;
+  balance_closed_ = solved.index_balance().closed;
+  initial_energy_ = energy_of(start, units_.system.mass(), units_.system.stiffness());
   for (const SolvedComponent& component : solved.components) {
-    parts_.push_back(std::make_unique<ComponentMotion>(system, component));
+    parts_.push_back(std::make_unique<ComponentMotion>(units_.system, component));
     ComponentMotion& part = *parts_.back();
-    std::vector<Vector> own_forces, own_pushes;
-    for (std::size_t k = 0; k < lasting.size(); ++k) {
-      own_forces.push_back(lasting[k](part.order()));
-      own_pushes.push_back(accelerations[k](part.order()));
-    }
-    part.start({start.q(part.order()), start.qdot(part.order())}, own_forces, own_pushes, frequencies);
-    whole += part.size() * part.size();
-    missing += part.departure() * part.departure();
+    std::vector<Vector> own;
+    for (const Vector& push : pushes) own.push_back(push(part.order()));
+    part.start({start.q(part.order()), start.qdot(part.order())}, own, frequencies);
     zero_energy_ += part.zero_energy();
     remainder_energy_ += part.remainder_energy();
-    part.add_shares(n, modal_);
+    part.add_shares(units_.scale, modal_);
   }
   std::stable_sort(modal_.begin(), modal_.end(), [](const ModalShare& x, const ModalShare& y) { return x.omega < y.omega; });
-  departure_ = whole > 0 ? std::sqrt(missing / whole) : 0;
+  for (std::size_t k = 0; k <= pushes.size(); ++k) judge(k);
+}
+
+State Response::in_units(const State& w) const { return {w.q.cwiseQuotient(units_.scale), w.qdot.cwiseQuotient(units_.scale)}; }
+
+// The initial state, k = 0, or a lasting force.
+void Response::judge(std::size_t k) {
+  double whole = 0, missing = 0;
+  for (const auto& part : parts_) {
+    const Split& s = part->splits()[k];
+    whole = std::hypot(whole, s.size);
+    missing = std::hypot(missing, s.missing);
+    phase_drift_ = std::max(phase_drift_, s.drift);
+  }
+  if (whole > 0) departure_ = std::max(departure_, missing / whole);
 }
 
 State Response::at(double t) const {
   if (t == 0) return start_;
-  State w{Vector::Zero(mass_.rows()), Vector::Zero(mass_.rows())};
+  const Index n = units_.scale.size();
+  State w = State::rest(n);
   for (const auto& part : parts_) {
     const State own = part->at(t);
     w.q(part->order()) = own.q;
     w.qdot(part->order()) = own.qdot;
   }
-  return w;
+  return {w.q.cwiseProduct(units_.scale), w.qdot.cwiseProduct(units_.scale)};
 }
 
-History Response::at(const Vector& times) const { return history_of(*this, mass_.rows(), times); }
+History Response::at(const Vector& times) const { return history_of(*this, units_.scale.size(), times); }
 
-double Response::energy(const State& w) const { return energy_of(w, mass_, stiffness_); }
+double Response::energy(const State& w) const { return energy_of(in_units(w), units_.system.mass(), units_.system.stiffness()); }
 
 Index Response::remainder_size() const {
   Index d = 0;

@@ -2,6 +2,7 @@
 
 #include "gyromode/modes/modes.h"
 #include "gyromode/motion/state.h"
+#include "gyromode/motion/unit_masses.h"
 
 #include <memory>
 #include <optional>
@@ -44,7 +45,7 @@ History history_of(const Motion& motion, Index coordinates, const Vector& times)
 class Response {
  public:
   /// Throws std::invalid_argument where sizes do not fit or a number is not finite, and what the modes throw.
-  Response(const System& system, const State& initial, const std::vector<Force>& forces = {}, const StructureOptions& structure = {});
+  Response(const System& system, const State& initial, const std::vector<Force>& forces = {});
   ~Response();
   Response(Response&&) noexcept;
 
@@ -61,19 +62,26 @@ class Response {
   double remainder_energy() const { return remainder_energy_; }
   /// Coordinates of the invariant subspace of growing motions and double roots that take part; 0 for an ordinary stable motion.
   Index remainder_size() const;
-  /// ‖sum of all parts at t = 0 less the initial state‖, or the rounding of the largest part if that is more, over the size of the state, in units that mix nothing: the accuracy of the decomposition.
+  /// ‖sum of all parts at t = 0 less the initial state‖, or the rounding of the largest part if that is more, over the size of the state, in units that mix nothing; the same of what every
+  /// lasting force pushes; the largest of them: the accuracy of the decomposition.
   double departure() const { return departure_; }
+  /// rad: what the phases of the modes that take part may be wrong by at time t, the error bounds of their frequencies times t, to first order.
+  double phase_error(double t) const { return phase_drift_ * t; }
   Stability stability() const { return stability_; }
-  bool complete() const { return complete_; }  ///< the modes were counted
+  /// The index balance closes (theory §5): the solver's roots account for all 2n and for n₋(K). Nothing is counted a second time, by factorisations, as `modes` does.
+  bool balance_closed() const { return balance_closed_; }
 
  private:
+  State in_units(const State& w) const;
+  void judge(std::size_t split);
+
   std::vector<std::unique_ptr<ComponentMotion>> parts_;
   std::vector<ModalShare> modal_;
-  State start_;  // at t = 0⁺
-  Matrix mass_, stiffness_;
-  double initial_energy_ = 0, zero_energy_ = 0, remainder_energy_ = 0, departure_ = 0;
+  UnitMasses units_;
+  State start_;  // at t = 0⁺, in the given coordinates
+  double initial_energy_ = 0, zero_energy_ = 0, remainder_energy_ = 0, departure_ = 0, phase_drift_ = 0;
   Stability stability_ = Stability::unknown;
-  bool complete_ = false;
+  bool balance_closed_ = false;
 };
 
 }  // namespace gyromode

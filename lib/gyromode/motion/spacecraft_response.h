@@ -3,6 +3,8 @@
 #include "gyromode/discrete/boom_point.h"
 #include "gyromode/motion/response.h"
 
+#include <algorithm>
+
 namespace gyromode {
 
 /// The motion of a spacecraft from (ζ, θ) and their rates, booms at first undeformed and at rest relative to the body, in turning axes, m and rad. The booms are finite elements of high
@@ -22,6 +24,8 @@ class SpacecraftResponse {
   /// Of body and booms about the mass centre; shapes in the order of labels().
   const std::vector<ModalShare>& modal() const { return modal_; }
   const Response& about_centre() const { return about_centre_; }
+  double departure() const { return std::max(about_centre_.departure(), centre_.departure()); }
+  double phase_error(double t) const { return std::max(about_centre_.phase_error(t), centre_.phase_error(t)); }
   const Mesh& mesh() const { return mesh_; }
   Index coordinates() const { return outputs_.cols(); }
 

@@ -16,13 +16,11 @@ struct CouplingGraph {
     CouplingKind kind;
   };
   std::vector<std::vector<Edge>> neighbours;
-  double largest_ignored = 0;  ///< largest |a_ij| / max |a| that `tolerance` treated as no coupling, over all matrices
 
   Index size() const { return static_cast<Index>(neighbours.size()); }
 };
 
-/// Entry a_ij couples i and j where |a_ij| > tolerance · max |a|, in each matrix by itself; the default 0 lets nothing through.
-/// `symmetric` are the matrices that couple in phase (M and K, or I), `skew` the one that couples across (G).
-CouplingGraph coupling_graph(const std::vector<const Matrix*>& symmetric, const Matrix& skew, double tolerance = 0);
+/// Entry a_ij ≠ 0 couples i and j, however small (without_ignored_couplings() leaves small ones out). `symmetric` are the matrices that couple in phase (M and K, or I), `skew` the one that couples across (G).
+CouplingGraph coupling_graph(const std::vector<const Matrix*>& symmetric, const Matrix& skew);
 
 }  // namespace gyromode

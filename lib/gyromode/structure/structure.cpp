@@ -9,8 +9,6 @@ namespace gyromode {
 
 namespace {
 
-Structure analysed(const CouplingGraph& graph) { return {partition(graph), graph.largest_ignored}; }
-
 bool positive_definite(const Matrix& k) {
   if (!(k.diagonal().array() > 0).all()) return false;
   Matrix l = scaled(k, unit_diagonal_scale(k));
@@ -28,14 +26,6 @@ std::vector<Index> collected(const std::vector<Component>& components, std::vect
   for (const Component& c : components) all.insert(all.end(), (c.*group).begin(), (c.*group).end());
   std::sort(all.begin(), all.end());
   return all;
-}
-
-// Entries off the diagonal up to tolerance · max |a| become zero.
-Matrix thresholded(const Matrix& a, double tolerance) {
-  const double limit = tolerance * a.cwiseAbs().maxCoeff();
-  Matrix b = (a.cwiseAbs().array() <= limit).select(0.0, a);
-  b.diagonal() = a.diagonal();
-  return b;
 }
 
 }  // namespace
@@ -64,34 +54,18 @@ std::optional<OddCycle> Structure::witness() const {
   return std::nullopt;
 }
 
-Structure analyse(const System& system, const StructureOptions& options) {
-  Structure s = analysed(coupling_graph({&system.mass(), &system.stiffness()}, system.gyroscopic(), options.coupling_tolerance));
-  if (options.hidden == HiddenSearch::never || s.system_class() == SystemClass::quadrature) return s;
-  const System kept = without_ignored_couplings(system, options);
+Structure analyse(const System& system, HiddenSearch hidden) {
+  Structure s{partition(coupling_graph({&system.mass(), &system.stiffness()}, system.gyroscopic()))};
+  if (hidden == HiddenSearch::never || s.system_class() == SystemClass::quadrature) return s;
   for (Component& c : s.components) {
     if (c.quadrature()) continue;
     const auto& at = c.coordinates;
-    const Matrix stiffness = kept.stiffness()(at, at);
-    if (worth_a_search(stiffness, options.hidden)) c.search = std::make_shared<SymmetrySearch>(find_reversing_symmetry(kept.mass()(at, at), kept.gyroscopic()(at, at), stiffness));
+    const Matrix stiffness = system.stiffness()(at, at);
+    if (worth_a_search(stiffness, hidden)) c.search = std::make_shared<SymmetrySearch>(find_reversing_symmetry(system.mass()(at, at), system.gyroscopic()(at, at), stiffness));
   }
   return s;
 }
 
-Structure analyse(const FirstOrderSystem& system, const StructureOptions& options) {
-  return analysed(coupling_graph({&system.inertia()}, system.gyroscopic(), options.coupling_tolerance));
-}
-
-System without_ignored_couplings(const System& system, const StructureOptions& options) {
-  if (options.coupling_tolerance == 0) return system;
-  const double tolerance = options.coupling_tolerance;
-  return System(thresholded(system.mass(), tolerance), thresholded(system.gyroscopic(), tolerance), thresholded(system.stiffness(), tolerance),
-                system.labels());
-}
-
-FirstOrderSystem without_ignored_couplings(const FirstOrderSystem& system, const StructureOptions& options) {
-  if (options.coupling_tolerance == 0) return system;
-  const double tolerance = options.coupling_tolerance;
-  return FirstOrderSystem(thresholded(system.inertia(), tolerance), thresholded(system.gyroscopic(), tolerance), system.labels());
-}
+Structure analyse(const FirstOrderSystem& system) { return {partition(coupling_graph({&system.inertia()}, system.gyroscopic()))}; }
 
 }  // namespace gyromode

@@ -20,17 +20,9 @@ std::string_view word(SystemClass c);
 /// (bench/results).
 enum class HiddenSearch { by_cost, always, never };
 
-struct StructureOptions {
-  /// Couplings up to this fraction of the largest entry of their matrix count as none. Above 0 they are dropped from the system that
-  /// is solved, and every output says so.
-  double coupling_tolerance = 0;
-  HiddenSearch hidden = HiddenSearch::by_cost;
-};
-
 /// What is known of a system before it is solved.
 struct Structure {
   std::vector<Component> components;
-  double largest_ignored_coupling = 0;   ///< relative; above 0 only where a tolerance was asked for
 
   SystemClass system_class() const;                  ///< quadrature where every component has a partition; hidden where the others have a reversing symmetry
   std::vector<Index> in_phase() const;               ///< coordinates, ascending, over all components
@@ -38,12 +30,7 @@ struct Structure {
   std::optional<OddCycle> witness() const;           ///< the first component's odd cycle where there is no partition
 };
 
-Structure analyse(const System& system, const StructureOptions& options = {});
-Structure analyse(const FirstOrderSystem& system, const StructureOptions& options = {});
-
-/// The system without the couplings between components and the parts of G, M, K that the partition ignores: what a coupling tolerance
-/// above 0 means. Equal to the argument where the tolerance is 0.
-System without_ignored_couplings(const System& system, const StructureOptions& options);
-FirstOrderSystem without_ignored_couplings(const FirstOrderSystem& system, const StructureOptions& options);
+Structure analyse(const System& system, HiddenSearch hidden = HiddenSearch::by_cost);
+Structure analyse(const FirstOrderSystem& system);
 
 }  // namespace gyromode

@@ -23,6 +23,12 @@ FirstOrderSystem::FirstOrderSystem(Matrix inertia, Matrix gyroscopic, Labels lab
   require_positive_definite("I", inertia_, labels_);
 }
 
+FirstOrderSystem FirstOrderSystem::replaced(Matrix inertia, Matrix gyroscopic) const {
+  FirstOrderSystem s(std::move(inertia), std::move(gyroscopic), labels_);
+  s.symmetry_errors_ = symmetry_errors_;
+  return s;
+}
+
 ComplexMatrix FirstOrderSystem::impedance(double omega) const {
   ComplexMatrix h(size(), size());
   h.real() = omega * inertia_;

@@ -23,6 +23,9 @@ class FirstOrderSystem {
   const Labels& labels() const { return labels_; }
   const SymmetryErrors& symmetry_errors() const { return symmetry_errors_; }
 
+  /// Other matrices in its place, an approximation of it: labels and symmetry errors are taken over. Throws as the constructor.
+  FirstOrderSystem replaced(Matrix inertia, Matrix gyroscopic) const;
+
   /// H₁(ω) = ωI − jG, Hermitian.
   ComplexMatrix impedance(double omega) const;
 

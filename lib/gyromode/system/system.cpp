@@ -33,6 +33,12 @@ System::System(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labels labels)
   require_positive_definite("M", mass_, labels_);
 }
 
+System System::replaced(Matrix mass, Matrix gyroscopic, Matrix stiffness) const {
+  System s(std::move(mass), std::move(gyroscopic), std::move(stiffness), labels_);
+  s.symmetry_errors_ = symmetry_errors_;
+  return s;
+}
+
 ComplexMatrix System::impedance(double omega) const {
   ComplexMatrix h(size(), size());
   h.real() = stiffness_ - omega * omega * mass_;

@@ -26,6 +26,9 @@ class System {
   const Labels& labels() const { return labels_; }
   const SymmetryErrors& symmetry_errors() const { return symmetry_errors_; }
 
+  /// Other matrices in its place, an approximation of it: labels and symmetry errors are taken over. Throws as the constructor.
+  System replaced(Matrix mass, Matrix gyroscopic, Matrix stiffness) const;
+
   /// The impedance matrix H(ω) = K − ω²M + jωG, Hermitian (Eq. 4).
   ComplexMatrix impedance(double omega) const;
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "gyromode/motion/modal_part.h"
+
+#include <Eigen/Cholesky>
+
+namespace gyromode {
+
+/// How large a motion is: |w|² = q̇ᵀMq̇ + qᵀ(K + cM)q, twice the energy where K > 0, c = 0. Else c is twice what makes K + cM positive, so that slow motion counts as fast one does: by its
+/// velocities. With LLᵀ = M and RᵀR = K + cM it is the length of x = (Rq, Lᵀq̇), in which the matrix of the motion is skew for K > 0 (theory (T8)).
+class EnergyNorm {
+ public:
+  EnergyNorm(const ComponentMatrices& m, const SolvedComponent& component);
+
+  double operator()(const State& w) const { return coordinates(w).stableNorm(); }
+  Vector coordinates(const State& w) const;
+  State state(const Vector& x) const;
+  /// M⁻¹f.
+  Matrix accelerations(const Matrix& forces) const { return mass_.solve(forces); }
+
+ private:
+  Eigen::LLT<Matrix> mass_, stiffness_;
+};
+
+}  // namespace gyromode
