@@ -39,7 +39,7 @@ int guarded(const std::function<int()>& verb) {
   } catch (const std::invalid_argument& e) {
     return failed(wrong_usage, e.what());
   } catch (const std::bad_alloc&) {
-    return failed(unreadable_input, "the model does not fit into memory: a dense solver needs about 100 n² bytes");
+    return failed(unreadable_input, "the model does not fit into memory: a dense solver needs some 60 n² bytes");
   } catch (const std::exception& e) {
     return failed(internal_error, fmt::format("internal error: {} (please report it with the model)", e.what()).c_str());
   }

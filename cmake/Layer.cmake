@@ -21,6 +21,7 @@ function(gyromode_layer name)
   add_library(${target} OBJECT ${LAYER_SOURCES})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib>
                                               $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/lib>)
+  target_compile_definitions(${target} PUBLIC ${gyromode_eigen_layout})
   target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE gyromode_warnings ${LAYER_LINKS})
   target_sources(gyromode PRIVATE $<TARGET_OBJECTS:${target}>)
   install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gyromode/${name} FILES_MATCHING PATTERN "*.h" PATTERN "lapacke_complex.h" EXCLUDE)

@@ -240,6 +240,21 @@ class Vary(WithFolder):
         self.refused(1, ["1001 × 1000 = 1001000 cells"], "stability", SPRINGS, "--vary", "spin=1:2:1001", "--vary", "mass[0][0]=1:2:1000")
         self.refused(1, ["two for a chart"], "stability", SPRINGS, "--vary", "spin=1:2:3", "--vary", "mass[0][0]=1:2:3", "--vary", "mass[1][1]=1:2:3")
 
+    def test_damping_of_a_singular_stiffness(self):
+        # Relative motion in a circular orbit: one oscillation, two zero roots that take the negative eigenvalue of K; with damping at rest in the turning axes one root grows.
+        n = 1e-3
+        for rate in (n, n * 2.0**30, n * 2.0**-20):
+            hill = self.path / "hill.toml"
+            hill.write_text(f'''kind = "matrices"
+mass = [[1.0, 0.0], [0.0, 1.0]]
+gyroscopic = [[0.0, {-2 * rate!r}], [{2 * rate!r}, 0.0]]
+stiffness = [[{-3 * rate**2!r}, 0.0], [0.0, 0.0]]
+''')
+            r = self.json("stability", hill)
+            self.assertEqual(r["index_balance"]["zero_negative"], 1)
+            self.assertEqual(r["damping"], {"growing_roots": 1, "destabilised": []})
+            self.assertIn("that is at rest in these axes leaves 1 root growing, as K has 1 negative", run("stability", hill).stdout)
+
     def test_margins_and_damping(self):
         r = self.json("stability", MODELS / "rigid_body_minor.toml")
         self.assertEqual(r["damping"]["growing_roots"], 2)

@@ -323,6 +323,20 @@ TEST(MatrixMarketMemory, FailedAllocationIsAnInputError) {
   EXPECT_EQ(message, "K.mtx:2: there is no memory for a dense 46000 x 46000 matrix");
 }
 
+TEST(MatrixMarketMemory, OrderThatServesTheCaller) {
+  const auto refusal = [](const std::string& text, Index most) -> std::string {
+    try {
+      parse_matrix_market(text, "K.mtx", most);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "(accepted)";
+  };
+  EXPECT_EQ(refusal(general + "3 3 0\n", 2), "K.mtx:2: size 3 x 3 is too large: dense models have at most 2 coordinates");
+  EXPECT_EQ(refusal(general + "3 3 0\n", 3), "(accepted)");
+  EXPECT_EQ(refusal(array + "3 1\n1\n2\n3\n", 2), "K.mtx:2: size 3 x 1 is too large: dense models have at most 2 coordinates");
+}
+
 // ---- what is written
 
 TEST(MatrixMarketWrites, TheLowerTriangleWithItsComment) {

@@ -307,6 +307,13 @@ TEST_F(ModelToml, MatrixFilesThatCannotBeRead) {
   EXPECT_EQ(error(start + "'bad.mtx'").find("bad.mtx:3: value 'x' is not a number"), 0u);
   write("wide.mtx", "%%MatrixMarket matrix array real general\n1 2\n1\n2\n");
   EXPECT_EQ(error(start + "'wide.mtx'"), "model.toml:2:8: 'mass' has 1 rows and 2 columns: a square matrix was expected");
+  // Too large for a dense model: said at the size line, before its entries are read.
+  write("large.mtx", "%%MatrixMarket matrix coordinate real general\n16384 16384 16384\n1 1 1\n");
+  EXPECT_EQ(error(start + "'large.mtx'"), "large.mtx:2: size 16384 x 16384 is too large: dense models have at most 16383 coordinates");
+  write("largest.mtx", "%%MatrixMarket matrix coordinate real general\n16383 16383 16383\n1 1 1\n");
+  EXPECT_EQ(error(start + "'largest.mtx'"), "largest.mtx:3: the file ends after 1 of the 16383 entries that line 2 promises");
+  write("large.mtx", "%%MatrixMarket matrix array real general\n20000 20000\n");
+  EXPECT_EQ(error(start + "'large.mtx'"), "large.mtx:2: size 20000 x 20000 is too large: dense models have at most 16383 coordinates");
 }
 
 TEST_F(ModelToml, ModelFilesThatCannotBeRead) {
@@ -322,14 +329,18 @@ TEST_F(ModelToml, ModelFilesThatCannotBeRead) {
   fs::create_directory(folder_ / "folder.toml");
   EXPECT_EQ(of(folder_ / "folder.toml"), "folder.toml: is a directory: a TOML model file was expected");
   EXPECT_EQ(error(""), "model.toml: is empty: a TOML model was expected");
+  // What is no text is not read to its end, if it has one.
+  EXPECT_EQ(of("/dev/zero"), "/dev/zero:1: byte '\\x00' is not text: this is a binary file, a TOML model file was expected");
+  write("binary.toml", std::string("kind = 'matrices'\ntitle = '\0'\n", 31));
+  EXPECT_EQ(of(folder_ / "binary.toml"), "binary.toml:2: byte '\\x00' is not text: this is a binary file, a TOML model file was expected");
 }
 
 TEST_F(ModelToml, GarbageIsOneLineWithItsPlace) {
   EXPECT_EQ(error("kind = 'matrices'\nmass = [[1, 0\n").find("model.toml:2:"), 0u);
   for (const std::string& text :
-       {std::string("kind = matrices"), std::string("kind"), std::string("= 1"), std::string("[known"), std::string("kind = 'a"), std::string("\xff\xfe\x00", 3),
+       {std::string("kind = matrices"), std::string("kind"), std::string("= 1"), std::string("[known"), std::string("kind = 'a"), std::string("\xff\xfe"),
         std::string("kind = 'matrices'\nkind = 'matrices'"), std::string("mass = [[1 0]]"), std::string("%%MatrixMarket matrix array real general\n1 1\n1\n"),
-        std::string("[)"), std::string("é = 1"), "mass = " + std::string(10'000, '['), std::string("a = { b = { c = [ { d = ")}) {
+        std::string("[)"), std::string("é = 1"), std::string("a = { b = { c = [ { d = ")}) {
     const std::string message = error(text);
     EXPECT_EQ(message.find("model.toml:1:") == 0 || message.find("model.toml:2:") == 0, true) << message;
     EXPECT_NE(message.find(": is not TOML: "), std::string::npos) << message;
@@ -338,6 +349,38 @@ TEST_F(ModelToml, GarbageIsOneLineWithItsPlace) {
   EXPECT_EQ(error("kind='matrices'\nmass=[[{a=[[1]]}]]"), "model.toml:2:8: entry (1,1) of 'mass' is a table: a number was expected");
   EXPECT_EQ(error("kind='matrices'\nmass.rows=[[1]]"), "model.toml:2:1: 'mass' is a table: a Matrix Market file or rows of numbers was expected");
   EXPECT_EQ(error("kind.of='matrices'").find("'kind' is a table: a string was expected") != std::string::npos, true);
+}
+
+// What nests without end is refused before anything is built of it: by parts of keys and of headers, by arrays, by inline tables, and by all of them together.
+TEST_F(ModelToml, NestingHasAnEnd) {
+  const auto dotted = [](int parts) {
+    std::string key = "a";
+    for (int k = 1; k < parts; ++k) key += ".a";
+    return key;
+  };
+  const auto times = [](int n, const std::string& piece) {
+    std::string all;
+    for (int k = 0; k < n; ++k) all += piece;
+    return all;
+  };
+  const std::string beyond = "keys, tables and arrays are nested here beyond 64 levels: a flatter model was expected";
+  for (const int n : {65, 1000, 100'000}) {
+    EXPECT_EQ(error(dotted(n) + " = 1\n"), (n == 65 ? "model.toml:1:131: " : "model.toml:1:130: ") + beyond) << n;
+    EXPECT_EQ(error("[" + dotted(n) + "]\nx = 1\n"), "model.toml:1:129: " + beyond) << n;
+    EXPECT_EQ(error("kind = 'matrices'\n[[" + dotted(n) + "]]\n"), "model.toml:2:128: " + beyond) << n;
+    EXPECT_EQ(error("a = " + times(n, "[")), "model.toml:1:68: " + beyond) << n;
+    EXPECT_EQ(error("a = " + times(n, "{a=") + "1" + times(n, "}")), "model.toml:1:100: " + beyond) << n;
+    EXPECT_EQ(error("a = " + times(n, "[\n")), "model.toml:64:1: " + beyond) << n;
+  }
+  // Each part by itself is short.
+  EXPECT_NE(error("[" + dotted(30) + "]\n" + dotted(20) + " = {" + dotted(20) + " = 1}\n").find(beyond), std::string::npos);
+  EXPECT_NE(error(times(40, "[" + dotted(20) + "]\n") + "x = " + times(5, "[{" + dotted(20) + "=")).find(beyond), std::string::npos);
+  // Dots and brackets of strings and comments are none, whatever quotes they hold; and what is wide is not deep.
+  for (const std::string& text : {"# " + dotted(1000) + times(1000, "[") + "\n", "title = \"\\\"" + times(1000, "[") + "\"\n", "title = '\\" + std::string("'") + "\nreference = '" + dotted(1000) + "'\n",
+                                  "title = \"\"\"\n\"\" " + times(1000, "{\n") + "\"\"\"\"\"\n", "title = '''" + times(1000, "[") + "'''\n", "title = ''\nreference = \"\" # " + times(100, "[") + "\n"}) {
+    EXPECT_EQ(error("kind = 'matrices'\n" + text + "mass = [[1]]\nstiffness = [[1]]\n"), "(accepted)") << text.substr(0, 40);
+  }
+  EXPECT_EQ(error("kind = 'matrices'\nmass = [[1]]\nstiffness = [[1]]\n[known]\nfrequencies = [" + times(1000, "1.0, ") + "1.0]\n"), "(accepted)");
 }
 
 TEST_F(ModelToml, KnownTable) {

@@ -1,6 +1,7 @@
 // What must hold between systems that are one system in other words, between methods, and between the modes of one system; on 300 random systems.
 // Frequencies are compared within their own error bounds: δω ≤ (residual + ε)·s, with the sensitivity s = error_bound/(residual + ε), and a change of the
 // matrices by rounding is a backward error of c n ε, which moves ω by c n ε s.
+#include "support/random_matrices.h"
 #include "support/random_system.h"
 
 #include "gyromode/modes/count.h"
@@ -142,6 +143,29 @@ TEST(Properties, UnitOfTime) {
     if (!comparable(r)) return;
     for (const double c : {3.0, 0x1p20, 1e-6}) expect_same(r, solved(changed(d, 1, c, c * c)), d.description + ", c = " + std::to_string(c), 8, c);
   });
+}
+
+// Kelvin, Tait, Chetaev: with any damping D > 0 that is at rest in the axes n₋(K) roots grow, whatever G, K singular or not. The roots are those of the companion matrix.
+TEST(Properties, DampingMakesAsManyRootsGrowAsKHasNegative) {
+  for (std::uint64_t seed = 0; seed < systems; ++seed) {
+    support::Source s{std::mt19937_64(seed)};
+    const Index n = s.integer(1, 6), negative = s.integer(0, n), zero = s.integer(0, n - negative);
+    const Matrix q = s.orthogonal(n);
+    Vector d = Vector::Ones(n) * (1 + 0.1 * static_cast<double>(seed % 7));
+    for (Index i = 0; i < negative; ++i) d(i) *= -1;
+    d.segment(negative, zero).setZero();
+    Matrix k = q * d.asDiagonal() * q.transpose();
+    k = symmetric_part(k);
+    const Matrix m = s.symmetric(n, 0), g = static_cast<double>(s.integer(0, 2)) * s.skew(n), damping = s.symmetric(n, 0);
+    Matrix companion = Matrix::Zero(2 * n, 2 * n);
+    companion.topRightCorner(n, n).setIdentity();
+    companion.bottomLeftCorner(n, n) = -m.inverse() * k;
+    companion.bottomRightCorner(n, n) = -m.inverse() * (g + damping);
+    const Eigen::VectorXcd roots = Eigen::EigenSolver<Matrix>(companion, false).eigenvalues();
+    const Index growing = (roots.real().array() > 1e-9).count();
+    EXPECT_EQ(growing, negative) << seed;
+    EXPECT_EQ(find_modes(System(m, g, k)).index_balance.negative, growing) << seed;
+  }
 }
 
 TEST(Properties, ManyMethodsOneAnswer) {

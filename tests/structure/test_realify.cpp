@@ -40,6 +40,32 @@ Index negative_by_embedding(const ComplexMatrix& h) {
 
 }  // namespace
 
+// Of H = D (±1 or a definite core) D with D graded over many decades the signs are those of the core, whatever transformation is printed; H* stays UᴴHU.
+TEST(Realify, CountsOfGradedMatrices) {
+  support::Source s{std::mt19937_64(7)};
+  for (int trial = 0; trial < 600; ++trial) {
+    const Index n = s.integer(1, 8), negative = s.integer(0, n);
+    const Index most = 15 * s.integer(0, 3);
+    ComplexMatrix core = s.symmetric(n, negative).cast<Complex>();  // |eigenvalues| in [½, 2]
+    if (trial % 2 == 0) {
+      const ComplexMatrix u = realify_by_reflections(hermitian(s, n)).unitary;
+      core = u.adjoint() * core * u;
+      core = (0.5 * (core + core.adjoint())).eval();
+    }
+    Vector d(n);
+    for (double& x : d) x = std::exp2(static_cast<double>(s.integer(-most, most)));
+    const ComplexMatrix h = d.asDiagonal() * core * d.asDiagonal();
+    std::vector<Realified> all{realify_by_reflections(h)};
+    if (n == 2) all.push_back(realify_by_angle(h));
+    if (trial % 2 == 1) all.push_back(realify_by_partition(h, {}));
+    for (const Realified& r : all) {
+      expect_exact(r);
+      EXPECT_EQ(r.negative(), negative) << trial << " " << word(r.how) << " grading 2^" << most;
+      EXPECT_EQ(r.determinant_sign(), negative % 2 == 0 ? 1 : -1) << trial;
+    }
+  }
+}
+
 TEST(Realify, AnyHermitianMatrix) {
   support::Source s{std::mt19937_64(1)};
   for (const Index n : {1, 2, 3, 4, 7, 20, 60, 200}) {

@@ -1,5 +1,6 @@
 // Every promise of System and FirstOrderSystem broken once, and the message read; what is accepted, and that no verdict depends on units.
 
+#include "gyromode/lapack/status.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/scale.h"
 #include "gyromode/system/system.h"
@@ -258,6 +259,19 @@ TEST(Scale, DiagonalAndRowsComeNearOneByPowersOfTwo) {
   EXPECT_EQ(norm1(Matrix(0, 0)), 0);
   EXPECT_EQ(norm1(Matrix{{1, -2}, {3, 4}}), 6);
   EXPECT_TRUE(power_of_two_near(0) == 1 && power_of_two_near(3) == 4 && power_of_two_near(0.7) == 0.5);
+}
+
+// No matrix of that order is made for it.
+TEST(LargestOrder, IsWhatDenseSolversTake) {
+  EXPECT_NO_THROW(require_order("a model", most_coordinates));
+  EXPECT_LT(8.0 * most_coordinates * most_coordinates + 12.0 * most_coordinates + 1, std::exp2(31));
+  EXPECT_GT(8.0 * (most_coordinates + 1) * (most_coordinates + 1) + 12.0 * (most_coordinates + 1) + 1, std::exp2(31));
+  try {
+    require_order("a model", 20'000);
+    ADD_FAILURE() << "accepted";
+  } catch (const lapack::TooLarge& e) {
+    EXPECT_STREQ(e.what(), "a model of order 20000 is too large: dense models have at most 16383 coordinates; leave coordinates out, or solve parts that nothing couples one by one");
+  }
 }
 
 }  // namespace

@@ -162,7 +162,7 @@ Matrix Impedance::own_shapes(const Matrix& given) const {
   return basis_.size() == 0 ? shapes : Matrix(basis_.partialPivLu().solve(shapes));
 }
 
-double Impedance::typical_frequency() const { return std::max(std::sqrt(norm_k_ / norm_m_), norm_g_ / norm_m_); }
+double Impedance::typical_frequency() const { return std::max(std::sqrt(norm_k_ / norm_m_), norm_g_ / norm_m_) / units_.time; }
 
 double Impedance::scale(double omega) const { return second_order_ ? norm_k_ + omega * (norm_g_ + omega * norm_m_) : omega * norm_m_ + norm_g_; }
 double Impedance::given_scale(double omega) const { return second_order_ ? given_k_ + omega * (given_g_ + omega * given_m_) : omega * given_m_ + given_g_; }

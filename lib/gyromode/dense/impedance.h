@@ -56,7 +56,7 @@ class Impedance {
   /// n₋(H(ω)), ω > 0, from the real symmetric H* where there is a partition, else from the Hermitian H. No ω is too large or too small for it.
   Inertia negative_at(double omega) const;
 
-  /// A frequency of the size of the largest: max(√(‖K‖/‖M‖), ‖G‖/‖M‖).
+  /// A frequency of the size of the largest, in the unit of time given: max(√(‖K‖/‖M‖), ‖G‖/‖M‖).
   double typical_frequency() const;
 
   /// ‖K‖ + ω‖G‖ + ω²‖M‖ in 1-norms (‖G‖ + ω‖I‖ in first order) of the matrices in the units of the component, and in the units given: what reported residuals are relative to.

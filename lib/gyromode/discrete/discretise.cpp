@@ -134,6 +134,7 @@ void add_masses(QuadraticEnergy& e, const Spacecraft& s, Numbering& n) {
 Index coordinates_of(const Spacecraft& s, const Mesh& mesh) {
   Index n = body + static_cast<Index>(s.cables().size()) * 2 * mesh.elements * mesh.degree + static_cast<Index>(s.beams().size()) * 4 * mesh.elements * mesh.degree;
   for (const SpringMass& m : s.masses()) n += m.stiffness.array().isFinite().count();
+  require_order(fmt::format("the twin with {} elements a cable", mesh.elements), n);
   return n;
 }
 

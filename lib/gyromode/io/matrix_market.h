@@ -4,6 +4,7 @@
 #include "gyromode/lapack/types.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,8 +19,8 @@ enum class Symmetry { general, symmetric, skew_symmetric };
 /// error (the rule chosen here: repeated entries are neither added nor overwritten), as is one above the diagonal of a symmetric file.
 Matrix read_matrix_market(const std::filesystem::path& file);
 
-/// The same from text in memory; `name` stands for the file in messages.
-Matrix parse_matrix_market(std::string_view text, const std::filesystem::path& name);
+/// The same from text in memory; `name` stands for the file in messages. `most`: the largest order that serves the caller; a size line beyond it is refused before a line of content is read.
+Matrix parse_matrix_market(std::string_view text, const std::filesystem::path& name, std::optional<Index> most = std::nullopt);
 
 /// Whether `entries` entries of a coordinate file may become a dense rows × cols matrix: it takes at most 256 MiB (order 5792), or
 /// no side is beyond 46 000 and there is an entry for each row or each column, the lesser. The first lets in a G of one wheel, two

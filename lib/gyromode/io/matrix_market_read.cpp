@@ -142,7 +142,7 @@ Matrix read_array(Lines& lines, const Banner& banner, const Size& size, const st
 
 }  // namespace
 
-Matrix parse_matrix_market(std::string_view text, const std::filesystem::path& name) {
+Matrix parse_matrix_market(std::string_view text, const std::filesystem::path& name, std::optional<Index> most) {
   if (text.empty()) throw InputError(name, fmt::format("is empty: '{}' was expected as its first line", banner_form));
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
     const auto line = static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n')) + 1;
@@ -151,6 +151,9 @@ Matrix parse_matrix_market(std::string_view text, const std::filesystem::path& n
   Lines lines(text, name);
   const Banner banner = read_banner(lines);
   const Size size = read_size(lines, banner);
+  if (most && size.rows > *most) {
+    lines.fail(fmt::format("size {} x {} is too large: dense models have at most {} coordinates", size.rows, size.cols, *most));
+  }
   return banner.coordinate ? read_coordinate(lines, banner, size, name) : read_array(lines, banner, size, name);
 }
 

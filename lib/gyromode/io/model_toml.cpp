@@ -151,7 +151,7 @@ Model read_matrices(const std::filesystem::path& mass, const std::optional<std::
   const auto read = [&](const std::filesystem::path& file) {
     const std::string text = read_text(file, "Matrix Market");
     digest.add(text);
-    Matrix a = parse_matrix_market(text, file);
+    Matrix a = parse_matrix_market(text, file, most_coordinates);
     if (a.rows() != a.cols()) throw InputError(file, fmt::format("has {} rows and {} columns: a square matrix was expected", a.rows(), a.cols()));
     if (n != 0 && a.rows() != n) throw InputError(file, fmt::format("is {0} × {0}: the order of '{2}', {1} × {1}, was expected", a.rows(), n, mass.string()));
     n = a.rows();

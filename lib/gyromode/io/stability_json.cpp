@@ -47,7 +47,7 @@ std::string stability_json(const Model& model, const StabilityReport& report, co
   if (!r.first_order) {
     Json destabilised = Json::array();
     for (const Mode& m : r.negative_modes) destabilised.push_back(m.omega);
-    j["damping"] = {{"growing_roots", r.index_balance.negative - r.index_balance.zero_negative}, {"destabilised", std::move(destabilised)}};
+    j["damping"] = {{"growing_roots", r.index_balance.negative}, {"destabilised", std::move(destabilised)}};
   }
   if (report.map) add_map(report, j);
   return text(j);

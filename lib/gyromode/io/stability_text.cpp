@@ -9,12 +9,12 @@ namespace gyromode::io {
 
 namespace {
 
-// What damping that acts in every motion makes of it: as many growing roots as K has negative eigenvalues (Kelvin, Tait, Chetaev; Zajac 1964).
+// What damping D > 0 at rest in the axes of the model makes of it: as many growing roots as K has negative eigenvalues, K singular or not (Kelvin, Tait, Chetaev; Zajac 1964; theory §5).
 std::string damping_words(const ModesResult& r) {
-  const Index growing = r.index_balance.negative - r.index_balance.zero_negative;
+  const Index growing = r.index_balance.negative;
   if (r.first_order) return "not a part of first-order models";
-  if (growing == 0) return "makes every vibration decay";
-  return fmt::format("that acts in every motion leaves {} growing, as K has {} negative{}", growing == 1 ? "1 root" : fmt::format("{} roots", growing), growing,
+  if (growing == 0) return "that is at rest in these axes makes every vibration decay";
+  return fmt::format("that is at rest in these axes leaves {} growing, as K has {} negative{}", growing == 1 ? "1 root" : fmt::format("{} roots", growing), growing,
                      r.negative_modes.empty() ? "" : fmt::format(": each mode of negative energy grows ({})", r.negative_modes.size()));
 }
 

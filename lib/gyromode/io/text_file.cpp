@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -12,8 +13,10 @@
 namespace gyromode::io {
 
 std::string read_text(const std::filesystem::path& file, std::string_view what) {
-  constexpr std::size_t most = std::size_t{4} << 30;
+  constexpr std::size_t gibibyte = std::size_t{1} << 30;
   std::error_code error;
+  const bool regular = std::filesystem::is_regular_file(file, error);
+  const std::size_t most = (regular ? 4 : 1) * gibibyte;
   if (std::filesystem::is_directory(file, error)) throw InputError(file, fmt::format("is a directory: a {} file was expected", what));
   std::ifstream in(file, std::ios::binary);
   if (!in) {
@@ -24,8 +27,14 @@ std::string read_text(const std::filesystem::path& file, std::string_view what) 
   std::vector<char> chunk(1 << 16);
   do {
     in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-    text.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
-    if (text.size() > most) throw InputError(file, "is larger than 4 GiB: more than a dense model can need");
+    const auto end = chunk.begin() + in.gcount();
+    const auto nul = std::find(chunk.begin(), end, '\0');
+    text.append(chunk.begin(), nul);
+    if (nul != end) {
+      const auto line = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+      throw InputError(file, line, 0, fmt::format("byte '\\x00' is not text: this is a binary file, a {} file was expected", what));
+    }
+    if (text.size() > most) throw InputError(file, fmt::format("is larger than {} GiB{}: more than a dense model can need", most / gibibyte, regular ? "" : " and no regular file"));
   } while (in);
   if (in.bad()) throw InputError(file, fmt::format("cannot be read beyond byte {}", text.size()));
   return text;

@@ -3,9 +3,10 @@
 #include "gyromode/io/matrix_market.h"
 #include "gyromode/io/nearest.h"
 #include "gyromode/io/text_file.h"
+#include "gyromode/io/toml_text.h"
+#include "gyromode/system/promise.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <cmath>
 #include <cstdint>
@@ -66,17 +67,8 @@ Matrix inline_rows(const std::filesystem::path& file, const toml::array& rows, s
 }  // namespace
 
 TomlTable::TomlTable(std::string_view text, const std::filesystem::path& file) {
-  if (text.empty()) throw InputError(file, "is empty: a TOML model was expected");
-  try {
-    const auto document = std::make_shared<const toml::table>(toml::parse(text, file.string()));
-    content_ = std::make_shared<const Content>(Content{document, *document, file});
-  } catch (const toml::parse_error& e) {
-    std::string message(e.description());
-    for (char& c : message) {
-      if (c == '\n' || c == '\r') c = ' ';
-    }
-    throw InputError(file, e.source().begin.line, e.source().begin.column, fmt::format("is not TOML: {}", message));
-  }
+  const auto document = std::make_shared<const toml::table>(parse_toml(text, file));
+  content_ = std::make_shared<const Content>(Content{document, *document, file});
 }
 
 TomlTable::TomlTable(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
@@ -206,7 +198,7 @@ std::optional<Matrix> TomlTable::matrix(std::string_view key, Digest& digest) co
   }
   const std::string text = read_text(file, "Matrix Market");
   digest.add(text);
-  return parse_matrix_market(text, file);
+  return parse_matrix_market(text, file, most_coordinates);
 }
 
 void TomlTable::fail(std::string_view key, const std::string& message) const { fail_at(content_->file, *content_->table.get(key), message); }

@@ -3,10 +3,10 @@
 #include "gyromode/io/nearest.h"
 #include "gyromode/io/number.h"
 #include "gyromode/io/text_file.h"
+#include "gyromode/io/toml_text.h"
 #include "gyromode/io/unit.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <sstream>
 #include <stdexcept>
@@ -152,7 +152,7 @@ VariedModel::VariedModel(const std::filesystem::path& file) : VariedModel(read_t
 
 VariedModel::VariedModel(std::string_view text, const std::filesystem::path& name) : name_(name) {
   parse_model(text, name);  // says what is wrong with it, with line and column
-  document_ = std::make_unique<const Document>(Document{toml::parse(text, name.string())});
+  document_ = std::make_unique<const Document>(Document{parse_toml(text, name)});
 }
 
 VariedModel::~VariedModel() = default;

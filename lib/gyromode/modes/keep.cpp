@@ -1,20 +1,15 @@
 #include "gyromode/modes/keep.h"
 
-#include "gyromode/modes/shape.h"
+#include "gyromode/modes/local_modes.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace gyromode {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 std::vector<Index> all_but(Index n, const std::vector<Index>& kept) {
   std::vector<Index> rest;
@@ -24,37 +19,44 @@ std::vector<Index> all_but(Index n, const std::vector<Index>& kept) {
   return rest;
 }
 
-// Where a mode may be, at most a millionth off.
-double open_error(const Mode& m) { return std::clamp(std::isfinite(m.error_bound) ? m.error_bound : m.omega, 8 * epsilon * m.omega, 1e-6 * m.omega); }
-
-// Modes that rounding does not tell apart, by position in `modes`.
-std::vector<std::vector<std::size_t>> coinciding(const std::vector<Mode>& modes) {
-  std::vector<std::vector<std::size_t>> groups;
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    const bool together = !groups.empty() && modes[i].kind == ModeKind::vibration && modes[groups.back().back()].kind == ModeKind::vibration &&
-                          modes[i].energy_sign == modes[groups.back().back()].energy_sign &&
-                          modes[i].omega - modes[groups.back().back()].omega <= 4 * (open_error(modes[i]) + open_error(modes[groups.back().back()]));
-    if (together) groups.back().push_back(i);
-    else groups.push_back({i});
+// The modes of each component by position in `modes`, in runs of neighbours that shapes may not tell apart.
+std::vector<std::vector<std::vector<Mode*>>> neighbours(std::vector<Mode>& modes, const Structure& structure, Index n) {
+  constexpr double apart = 1e-6;  // relative: what is nearer is looked at together, and told apart by C (modes/local_modes.h)
+  std::vector<std::size_t> component(static_cast<std::size_t>(n));
+  for (std::size_t c = 0; c < structure.components.size(); ++c) {
+    for (const Index i : structure.components[c].coordinates) component[static_cast<std::size_t>(i)] = c;
   }
-  return groups;
+  std::vector<std::vector<std::vector<Mode*>>> runs(structure.components.size());
+  for (Mode& m : modes) {
+    if (m.kind != ModeKind::vibration) continue;
+    Index largest = 0;
+    m.shape.cwiseAbs().maxCoeff(&largest);
+    auto& of = runs[component[static_cast<std::size_t>(largest)]];
+    if (of.empty() || !(m.omega - of.back().back()->omega <= apart * m.omega)) of.emplace_back();
+    of.back().push_back(&m);
+  }
+  return runs;
 }
 
-// Coinciding modes as combinations of which the first move the kept coordinates and the last do not, as far as singular values tell.
-void part(std::vector<Mode>& modes, const std::vector<std::size_t>& group, const std::vector<Index>& kept) {
-  if (group.size() == 1) return;
-  ComplexMatrix x(modes[group[0]].shape.size(), static_cast<Index>(group.size()));
-  for (std::size_t k = 0; k < group.size(); ++k) x.col(static_cast<Index>(k)) = modes[group[k]].shape.normalized();
-  const Eigen::JacobiSVD<ComplexMatrix> svd(x(kept, Eigen::all), Eigen::ComputeFullV);
-  const ComplexMatrix turned = x * svd.matrixV();
-  for (std::size_t k = 0; k < group.size(); ++k) modes[group[k]].shape = normalised(turned.col(static_cast<Index>(k)));
-}
-
-// Of a mode that hardly moves the kept coordinates: whether n₋(H_red) stays as it is across it.
-bool counted_local(const System& system, const std::vector<Index>& kept, const Mode& m, Index coinciding) {
-  const double beside = 64 * open_error(m);
-  const ReducedImpedance below = reduced_impedance(system, kept, m.omega - beside), above = reduced_impedance(system, kept, m.omega + beside);
-  return std::abs(above.internal.negative - below.internal.negative) >= 1 && std::abs(above.kept.negative - below.kept.negative) < coinciding;
+// A component without kept coordinates moves by itself: all its modes are local.
+void mark_local(std::vector<Mode>& modes, const System& system, const Structure& structure, const std::vector<Index>& kept) {
+  const auto runs = neighbours(modes, structure, system.size());
+  for (std::size_t c = 0; c < runs.size(); ++c) {
+    const auto& coordinates = structure.components[c].coordinates;
+    const auto is_kept = [&](Index i) { return std::find(kept.begin(), kept.end(), i) != kept.end(); };
+    const Index seen = std::count_if(coordinates.begin(), coordinates.end(), is_kept);
+    if (seen == static_cast<Index>(coordinates.size()) || runs[c].empty()) continue;
+    if (seen == 0) {
+      for (const auto& run : runs[c]) {
+        for (Mode* m : run) m->kind = ModeKind::local;
+      }
+      continue;
+    }
+    const ComponentSeenFrom component(system, structure.components[c], kept);
+    for (const auto& run : runs[c]) {
+      if (run.front()->omega > 0) component.mark_local(run);
+    }
+  }
 }
 
 }  // namespace
@@ -82,20 +84,8 @@ ModesResult find_modes_keeping(const System& system, const std::vector<Index>& k
   ModesOptions with_shapes = options;
   with_shapes.shapes = true;
   ModesResult r = find_modes(system, with_shapes);
-  constexpr double hardly = 1e-6;
-  Index local = 0;
-  for (const auto& group : coinciding(r.modes)) {
-    part(r.modes, group, kept);
-    for (const std::size_t k : group) {
-      Mode& m = r.modes[k];
-      if (m.kind != ModeKind::vibration || m.omega == 0) continue;
-      const bool at_rest = m.shape(kept).cwiseAbs().maxCoeff() <= hardly;
-      if (!at_rest || !counted_local(system, kept, m, static_cast<Index>(group.size()))) continue;
-      m.kind = ModeKind::local;
-      m.shape(kept).setZero();
-      ++local;
-    }
-  }
+  mark_local(r.modes, without_ignored_couplings(system, options.structure), r.structure, kept);
+  const auto local = std::count_if(r.modes.begin(), r.modes.end(), [](const Mode& m) { return m.kind == ModeKind::local; });
   if (!options.shapes) {
     for (Mode& m : r.modes) m.shape.resize(0);
   }

@@ -12,8 +12,8 @@ struct ReducedImpedance {
 };
 ReducedImpedance reduced_impedance(const System& system, const std::vector<Index>& kept, double omega);
 
-/// The modes of a system seen from some of its coordinates: those in which none of the `kept` takes part are `local`. They are poles of H_red that are modes as well: across one, n₋(H_ii)
-/// changes and n₋(H_red) does not. Of modes that coincide, as many combinations are local as leave the kept coordinates at rest.
+/// The modes of a system seen from some of its coordinates: those in which none of the `kept` takes part are `local`. These are all modes of a component without kept coordinates; and
+/// in any other, at each ω, dim null H_ii(ω) − rank(H_bi(ω) on that null space) modes (modes/local_modes.h). What rounding leaves undecided is no local mode.
 ModesResult find_modes_keeping(const System& system, const std::vector<Index>& kept, const ModesOptions& options);
 
 }  // namespace gyromode

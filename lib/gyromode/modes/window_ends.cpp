@@ -51,7 +51,7 @@ class Ends {
   double above_all() const {
     if (!f_.entries.empty() && f_.entries.back().omega > 0) return 1.125 * f_.entries.back().omega;
     double typical = 0;  // where no mode was found any frequency that has the unit of the system
-    for (const SolvedComponent& c : s_.components) typical = std::max(typical, c.impedance.typical_frequency() / c.impedance.units().time);
+    for (const SolvedComponent& c : s_.components) typical = std::max(typical, c.impedance.typical_frequency());
     return typical > 0 ? typical : 1;  // M alone: every ω is as good
   }
 

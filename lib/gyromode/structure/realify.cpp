@@ -1,6 +1,8 @@
 #include "gyromode/structure/realify.h"
 
+#include "gyromode/lapack/hermitian.h"
 #include "gyromode/lapack/symmetric.h"
+#include "gyromode/system/scale.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -37,15 +39,21 @@ std::string_view word(Realification how) {
   }
 }
 
+// Of D H D, D powers of two that equilibrate it: a congruence keeps the inertia, and eigenvalues of a graded H itself would lose the small ones in the rounding of the large.
+Vector Realified::equilibrated_eigenvalues() const {
+  if (how == Realification::partition) return lapack::symmetric_eigenvalues(scaled(real_symmetric, equilibrating_scale(real_symmetric)));
+  return lapack::hermitian_eigen(scaled(impedance, equilibrating_scale(impedance))).values;
+}
+
 Index Realified::negative() const {
   if (real_symmetric.size() == 0) return 0;
-  const Vector values = lapack::symmetric_eigenvalues(real_symmetric);
+  const Vector values = equilibrated_eigenvalues();
   return (values.array() < -rounding(values)).count();
 }
 
 int Realified::determinant_sign() const {
   if (real_symmetric.size() == 0) return 1;
-  const Vector values = lapack::symmetric_eigenvalues(real_symmetric);
+  const Vector values = equilibrated_eigenvalues();
   if ((values.cwiseAbs().array() <= rounding(values)).any()) return 0;
   return (values.array() < 0).count() % 2 == 0 ? 1 : -1;
 }

@@ -22,9 +22,11 @@ struct Realified {
   Realification how = Realification::tridiagonal;
   std::optional<double> angle;  ///< ψ, rad, of S(ψ)
 
-  /// Of H* and so of H.
-  Index negative() const;        ///< n₋; eigenvalues within 8 n ε of zero, relative to the largest, are none
+  /// Of H* and so of H, counted on H equilibrated: in any units of the coordinates.
+  Index negative() const;        ///< n₋; eigenvalues of the equilibrated matrix within 8 n ε of zero, relative to the largest, are none
   int determinant_sign() const;  ///< −1, 0 (singular to rounding) or 1
+
+  Vector equilibrated_eigenvalues() const;  ///< of D H D, D powers of two (D H* D with a partition)
 };
 
 /// The constant T of a partition: `in_quadrature` are the coordinates that take −j. H must be real within the groups and imaginary across; what contradicts is

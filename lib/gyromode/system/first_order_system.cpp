@@ -8,6 +8,7 @@ namespace gyromode {
 
 FirstOrderSystem::FirstOrderSystem(Matrix inertia, Matrix gyroscopic, Labels labels)
     : inertia_(std::move(inertia)), gyroscopic_(std::move(gyroscopic)), labels_(std::move(labels)) {
+  require_order("a model", inertia_.rows());
   require_square("I", inertia_);
   require_square("G", gyroscopic_);
   if (gyroscopic_.rows() != size()) {

@@ -1,5 +1,6 @@
 #include "gyromode/system/promise.h"
 
+#include "gyromode/lapack/status.h"
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/system/scale.h"
@@ -74,6 +75,11 @@ Weakest weakest(const Matrix& unit_diagonal) {
 }
 
 }  // namespace
+
+void require_order(std::string_view what, Index n) {
+  if (n <= most_coordinates) return;
+  throw lapack::TooLarge(fmt::format("{} of order {} is too large: dense models have at most {} coordinates; leave coordinates out, or solve parts that nothing couples one by one", what, n, most_coordinates));
+}
 
 Labels default_labels(Index n) {
   Labels labels(static_cast<std::size_t>(n));

@@ -21,6 +21,13 @@ using Labels = std::vector<std::string>;
 /// q1 … qn.
 Labels default_labels(Index n);
 
+/// The largest order of a dense model. Eigenvalue problems of order 2n are indexed by LAPACK with 32 bits, 8n² + 12n + 1 < 2³¹, and at this order a solver takes some 40 n² bytes, 11 GB, beside the
+/// model's own 24 n².
+inline constexpr Index most_coordinates = 16'383;
+
+/// Throws lapack::TooLarge for n beyond it; `what` is of that order, "a model".
+void require_order(std::string_view what, Index n);
+
 /// Throw BrokenPromise unless the matrix `name` keeps its promise. Entries count from 1 in messages, as in Matrix Market.
 void require_square(std::string_view name, const Matrix& a);
 void require_finite(std::string_view name, const Matrix& a);

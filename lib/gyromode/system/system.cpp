@@ -16,6 +16,7 @@ void require_size(std::string_view name, const Matrix& a, Index n) {
 
 System::System(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labels labels)
     : mass_(std::move(mass)), gyroscopic_(std::move(gyroscopic)), stiffness_(std::move(stiffness)), labels_(std::move(labels)) {
+  require_order("a model", mass_.rows());
   require_square("M", mass_);
   require_square("G", gyroscopic_);
   require_square("K", stiffness_);
