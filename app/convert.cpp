@@ -5,6 +5,7 @@
 
 #include "gyromode/dense/constant_form.h"
 #include "gyromode/dense/spectrum.h"
+#include "gyromode/dense/unitary_form.h"
 #include "gyromode/discrete/discretise.h"
 #include "gyromode/io/matrix_market.h"
 
@@ -57,16 +58,33 @@ std::string write_constant_form(const fs::path& folder, const System& s, const d
   return names;
 }
 
+// W.mtx, Q1.mtx and Q2.mtx of the unitary form, which every system has; and U.mtx with the transformation.
+std::string write_unitary_form(const fs::path& folder, const System& s, const Options& o, const std::string& title) {
+  const dense::UnitaryForm form = dense::unitary_form(s);
+  io::write_matrix_market(folder / "W.mtx", form.w, io::Symmetry::general, title + ": eigenvalues ω². Upper Hessenberg, from the Hamiltonian form by the unitary matrix Q1 + jQ2 (T8e)");
+  if (!o.transformation) return ", W.mtx";
+  Matrix u(s.size(), 2 * s.size());
+  u << form.displacement, form.velocity;
+  io::write_matrix_market(folder / "U.mtx", u, io::Symmetry::general, title + ": v = U (q, q') obeys v'' = -W' v");
+  io::write_matrix_market(folder / "Q1.mtx", form.q1, io::Symmetry::general, title + ": real part of the unitary Q1 + jQ2");
+  io::write_matrix_market(folder / "Q2.mtx", form.q2, io::Symmetry::general, title + ": imaginary part of the unitary Q1 + jQ2");
+  return ", W.mtx, U.mtx, Q1.mtx, Q2.mtx";
+}
+
 int run(const Options& o) {
   if (o.transformation && !o.realified) throw UsageError("--transformation goes with --realified");
   io::Model model = o.source.read();
   if (const auto* craft = std::get_if<Spacecraft>(&model.system)) model.system = System(discretise(*craft, Mesh{o.elements.value_or(Mesh{}.elements), 1}));
   else if (o.elements) throw UsageError("--elements belongs to spacecraft models");
   const auto* second_order = std::get_if<System>(&model.system);
-  std::optional<dense::ConstantForm> form;  // refused, where there is none, before anything is written
+  std::optional<dense::ConstantForm> form;  // symmetric, where there is one
   if (o.realified) {
     if (!second_order) throw dense::MethodDoesNotApply("--realified is for models of second order: eigenvalues of W are their ω²");
-    form = dense::constant_form(*second_order, analyse(*second_order, HiddenSearch::always));
+    try {
+      form = dense::constant_form(*second_order, analyse(*second_order, HiddenSearch::always));
+    } catch (const dense::MethodDoesNotApply& why) {
+      if (!o.quiet) fmt::print(stderr, "gyromode: W is not symmetric, as ω² may be complex: {}. It is real, upper Hessenberg, by a unitary matrix\n", why.what());
+    }
   }
   std::error_code error;
   fs::create_directories(o.folder, error);
@@ -76,6 +94,7 @@ int run(const Options& o) {
   }, model.system);
   std::string names = second_order ? "M.mtx, G.mtx, K.mtx" : "I.mtx, G.mtx";
   if (form) names += write_constant_form(o.folder, *second_order, *form, o, model.title);
+  else if (o.realified) names += write_unitary_form(o.folder, *second_order, o, model.title);
   if (!o.quiet && model.ignored) fmt::print(stderr, "gyromode: {}\n", in_words(*model.ignored));
   if (!o.quiet) fmt::print(stderr, "gyromode: {} written to {}\n", names, o.folder);
   return done;
@@ -89,8 +108,8 @@ void add_convert(CLI::App& program, int& code) {
   o->source.add_to(*verb);
   verb->add_option("-o,--output", o->folder, "Folder for M.mtx, G.mtx, K.mtx (I.mtx, G.mtx for first-order models)")->type_name("DIR")->required();
   verb->add_option("--elements", o->elements, "Spacecraft: linear elements a cable (default 50)")->type_name("N")->check(CLI::Range(1, 2000));
-  verb->add_flag("--realified", o->realified, "Also W.mtx, the real symmetric n × n matrix whose eigenvalues are ω² (quadrature class, visible or hidden, or K ≥ 0)");
-  verb->add_flag("--transformation", o->transformation, "With it U.mtx, n × 2n: u = U (q, q') obeys u'' = −W u; and where W = DᵀD also D.mtx and the orthogonal Q.mtx");
+  verb->add_flag("--realified", o->realified, "Also W.mtx, the real n × n matrix whose eigenvalues are ω²: symmetric in the quadrature class, visible or hidden, and for K ≥ 0; else upper Hessenberg");
+  verb->add_flag("--transformation", o->transformation, "With it U.mtx, n × 2n: u = U (q, q') obeys u'' = −Wᵀ u; where W = DᵀD also D.mtx and the orthogonal Q.mtx; where W is not symmetric the unitary Q1.mtx + j Q2.mtx");
   verb->add_flag("--quiet", o->quiet, "No remarks on stderr; errors remain");
   verb->footer("Example:\n  gyromode convert models/three_springs.toml -o matrices\n  gyromode convert models/wiresaw.toml -o matrices --realified --transformation");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });

@@ -296,8 +296,12 @@ class Hidden(WithFolder):
             m = self.json("modes", model)
             for a, b in zip(w["modes"], m["modes"], strict=True):
                 self.assertAlmostEqual(a["omega"], b["omega"], delta=1e-11 * m["modes"][-1]["omega"])
-        self.refused(3, ["both groups"], "convert", MODELS / "rigid_body_minor.toml", "-o", self.path / "none", "--realified")
-        self.assertFalse((self.path / "none").exists())
+        # K indefinite in both groups: real, upper Hessenberg, by a unitary matrix, and why not symmetric.
+        whole = run("convert", MODELS / "rigid_body_minor.toml", "-o", self.path / "unitary", "--realified", "--transformation")
+        self.assertEqual(whole.returncode, 0)
+        self.assertIn("W is not symmetric", whole.stderr)
+        for name in ("W", "U", "Q1", "Q2"):
+            self.assertTrue((self.path / "unitary" / f"{name}.mtx").exists())
         self.refused(3, ["second order"], "convert", MODELS / "meirovitch_body.toml", "-o", out, "--realified")
         self.refused(1, ["--realified"], "convert", SPRINGS, "-o", out, "--transformation")
 

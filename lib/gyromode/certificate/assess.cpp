@@ -187,13 +187,14 @@ Assessment assess(const Impedance& h, dense::Spectrum& s) {
 
 Assessment measure(const Impedance& h, dense::Spectrum& s) {
   Assessment a = measured(h, s, products(h, s));
-  a.unstable = measure_unstable(h, s.unstable);
+  a.unstable = measure_unstable(h, s.unstable, characteristic_products(h, s.unstable.right));
   return a;
 }
 
 Assessment::Unstable assess_unstable(const Impedance& h, dense::Spectrum& s) {
-  correct_unstable(h, s.unstable);
-  return measure_unstable(h, s.unstable);
+  const CharacteristicProducts p = characteristic_products(h, s.unstable.right);
+  correct_unstable(s.unstable, p);
+  return measure_unstable(h, s.unstable, p);
 }
 
 }  // namespace gyromode

@@ -28,6 +28,7 @@ ComplexMatrix times_transposed(const Matrix& a, const ComplexMatrix& x) {
 }  // namespace
 
 CharacteristicProducts characteristic_products(const Impedance& h, const ComplexMatrix& x) {
+  if (x.cols() == 0) return {};
   if (!h.quadrature()) return {times(h.stiffness_rr(), x), times(h.gyroscopic_ri(), x), times(h.mass_rr(), x)};
   const Index p = h.split();
   const Index r = h.size() - p;
@@ -42,9 +43,7 @@ CharacteristicProducts characteristic_products(const Impedance& h, const Complex
   return y;
 }
 
-void correct_unstable(const Impedance& h, dense::UnstableRoots& roots) {
-  if (roots.count() == 0) return;
-  const CharacteristicProducts p = characteristic_products(h, roots.right);
+void correct_unstable(dense::UnstableRoots& roots, const CharacteristicProducts& p) {
   constexpr int steps = 2;
   for (Index i = 0; i < roots.count(); ++i) {
     const auto y = roots.left.col(i);
@@ -61,11 +60,9 @@ void correct_unstable(const Impedance& h, dense::UnstableRoots& roots) {
   }
 }
 
-Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots) {
+Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots, const CharacteristicProducts& p) {
   const Index u = roots.count();
   Assessment::Unstable a{Vector(u), Vector(u), Vector(u), Vector(u)};
-  if (u == 0) return a;
-  const CharacteristicProducts p = characteristic_products(h, roots.right);
   const double rounding = (2 + std::sqrt(static_cast<double>(h.size()))) * epsilon;
   for (Index i = 0; i < u; ++i) {
     const Complex lambda = roots.lambda[static_cast<std::size_t>(i)];

@@ -11,8 +11,8 @@ struct CharacteristicProducts {
 CharacteristicProducts characteristic_products(const Impedance& h, const ComplexMatrix& x);
 
 /// Moves every λ to the root of YᴴN(λ)X = 0 near it, N(λ) = K + λG + λ²M: two steps of Newton's method at most, each a small part of |λ|. A real λ stays real.
-void correct_unstable(const Impedance& h, dense::UnstableRoots& roots);
+void correct_unstable(dense::UnstableRoots& roots, const CharacteristicProducts& of_right);
 /// What Assessment says of roots off the axis.
-Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots);
+Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots, const CharacteristicProducts& of_right);
 
 }  // namespace gyromode

@@ -22,8 +22,19 @@ Index end_of_cluster(const dense::Spectrum& s, const Assessment& a, Index first)
   return last;
 }
 
-// A root with a form far above rounding has the sign of its form.
-bool sure(const dense::Spectrum& s, const Assessment& a, Index i) { return backward_error(s.size()) * a.sensitivity(i) <= 1e-7 * s.omega(i); }
+// A root has the sign of its form where a backward error moves it by a small part of its distance to every other root: then its form is far from zero.
+bool sure(const dense::Spectrum& s, const Assessment& a, Index i) {
+  constexpr double small_part = 1e-3;
+  const double omega = s.omega(i);
+  double distance = omega;
+  if (i > 0) distance = std::min(distance, omega - s.omega(i - 1));
+  if (i + 1 < s.omega.size()) distance = std::min(distance, s.omega(i + 1) - omega);
+  for (const Complex& z : s.unstable.lambda) distance = std::min(distance, std::abs(z - Complex(0, omega)));
+  return backward_error(s.size()) * a.sensitivity(i) <= small_part * distance;
+}
+
+// The same for the roots of a cluster, of which only the form on their span counts.
+bool sure_together(const dense::Spectrum& s, const Assessment& a, Index i) { return backward_error(s.size()) * a.sensitivity(i) <= 1e-7 * s.omega(i); }
 
 // Positive minus negative eigenvalues of the form X_cᴴ(2ωM − jG)X_c on the unit shapes of a cluster: its signs, by Sylvester's law, if the shapes are
 // independent and the form regular, both far from doubt.
@@ -68,18 +79,19 @@ void assign(EnergySigns& signs, Index first, Index last, Index difference) {
 EnergySigns signs_of_clusters(const Impedance& h, const dense::Spectrum& s, const Assessment& a) {
   EnergySigns signs;
   const Index m = s.omega.size();
+  Index jumps = s.size() <= 64 ? m : 8;  // each some factorisations
   for (Index i = 0; i < m; ++i) signs.sign.push_back(a.form(i) > 0 ? 1 : -1);
   for (Index first = 0, last; first < m; first = last + 1) {
     last = end_of_cluster(s, a, first);
+    if (first == last && sure(s, a, first)) continue;
     bool all_sure = true;
     Index difference = 0;
     for (Index i = first; i <= last; ++i) {
-      all_sure = all_sure && sure(s, a, i);
+      all_sure = all_sure && sure_together(s, a, i);
       difference += signs.sign[static_cast<std::size_t>(i)];
     }
-    if (all_sure && first == last) continue;
     std::optional<Index> known = all_sure ? signature(h, s, first, last) : std::nullopt;
-    if (!known) known = jump(h, s, a, first, last);
+    if (!known && jumps-- > 0) known = jump(h, s, a, first, last);
     assign(signs, first, last, known.value_or(difference));
   }
   for (Index i = 0; i + 1 < m; ++i) {

@@ -33,7 +33,10 @@ std::vector<std::vector<Index>> poor_groups(const dense::Spectrum& s, const Asse
 }  // namespace
 
 void polish(const Impedance& h, dense::Spectrum& s, Assessment& a, Index most) {
-  const double enough = backward_error(s.size());
+  const double n = static_cast<double>(s.size());
+  const bool small = s.size() <= 64;  // beyond, what a certificate asks for is enough, and only so many factorisations as a second or two allow
+  const double enough = (small ? 1 : 6) * backward_error(s.size());
+  if (!small) most = std::min(most, static_cast<Index>(std::max(4.0, 4e6 / (n * n))));
   constexpr int rounds = 3;  // a refined neighbour shrinks its interval, and a group may fall apart into roots that can be told from each other
   for (int round = 0; round < rounds; ++round) {
     bool changed = false;

@@ -51,7 +51,7 @@ struct Split {
 Split split_null(const SingularSystem& s, const Matrix& null) {
   const Matrix size = null.cwiseAbs();
   const Matrix g = congruence(null, s.gyroscopic);
-  const RankedSkew f = ranked_skew(skew_part(g), congruence(size, s.gyroscopic.cwiseAbs()));
+  const RankedSkew f = ranked_skew(skew_part(g), congruence(size, entry_scale(s.gyroscopic)));
   Split parts{multiply(null, f.null_space), Matrix(s.size(), static_cast<Index>(f.regular.size())), !(f.smallest_kept > 64 * static_cast<double>(s.size()) * std::numeric_limits<double>::epsilon())};
   std::vector<Index> regular = f.regular;
   std::stable_partition(regular.begin(), regular.end(), [&](Index k) { return in_first_group(s, null.col(k)); });
@@ -151,7 +151,7 @@ SingularSystem removed(const SingularSystem& s, Matrix n0, Matrix& terms, Deflat
   const Matrix m_n0 = multiply(s.mass, n0);
   const Eigen::LLT<Matrix> m0(symmetric_part(multiply_tn(n0, m_n0)));
   Matrix a = multiply_tn(n0, s.gyroscopic)(Eigen::all, rest);
-  drop_rounding(a, Matrix(n0.cwiseAbs().transpose() * s.gyroscopic.cwiseAbs())(Eigen::all, rest));
+  drop_rounding(a, Matrix(n0.cwiseAbs().transpose() * entry_scale(s.gyroscopic))(Eigen::all, rest));
   const Matrix k_part = s.stiffness(rest, rest);
   Matrix e = Matrix::Zero(n, static_cast<Index>(rest.size()));
   for (std::size_t i = 0; i < rest.size(); ++i) e(rest[i], static_cast<Index>(i)) = 1;
@@ -176,7 +176,7 @@ SingularSystem removed(const SingularSystem& s, Matrix n0, Matrix& terms, Deflat
 
 Deflation deflate(SingularSystem system) {
   Deflation d;
-  Matrix terms = system.stiffness.cwiseAbs();
+  Matrix terms = entry_scale(system.stiffness);
   for (;;) {  // every turn but the last removes at least one coordinate
     const Null null = null_of(system, terms);
     const Split parts = split_null(system, null.vectors);

@@ -43,15 +43,11 @@ void Impedance::take(const Matrix& mass, const Matrix& gyroscopic, const Matrix*
     k_ii_ = stiffness ? dense::restricted(*stiffness, imaginary, imaginary) : Matrix::Zero(m_ii_.rows(), m_ii_.rows());
   }
   units_ = Units::given(size());
+  if (natural) change_units();
   measure_norms();
-  given_k_ = norm_k_;
-  given_g_ = norm_g_;
-  given_m_ = norm_m_;
-  if (natural) change_units(stiffness == nullptr);
-  weigh();
 }
 
-void Impedance::change_units(bool first_order) {
+void Impedance::change_units() {
   Vector diagonal(size());
   diagonal << m_rr_.diagonal(), m_ii_.diagonal();
   units_ = natural_units(diagonal, k_rr_, k_ii_, g_ri_, quadrature());
@@ -59,16 +55,13 @@ void Impedance::change_units(bool first_order) {
   const Vector rows = units_.coordinate.head(p);
   const Vector columns = quadrature() ? Vector(units_.coordinate.tail(size() - p)) : rows;
   const double time = units_.time;
-  m_rr_ = in_units(m_rr_, rows, rows, 1);
-  g_ri_ = in_units(g_ri_, rows, columns, time);
-  if (!first_order) k_rr_ = in_units(k_rr_, rows, rows, time * time);
+  change_units_of(m_rr_, rows, rows, 1);
+  change_units_of(g_ri_, rows, columns, time);
+  if (second_order_) change_units_of(k_rr_, rows, rows, time * time);
   if (quadrature()) {
-    m_ii_ = in_units(m_ii_, columns, columns, 1);
-    if (!first_order) k_ii_ = in_units(k_ii_, columns, columns, time * time);
+    change_units_of(m_ii_, columns, columns, 1);
+    if (second_order_) change_units_of(k_ii_, columns, columns, time * time);
   }
-  given_k_ = given_k_ * time * time;
-  given_g_ = given_g_ * time;
-  measure_norms();
 }
 
 void Impedance::measure_norms() {
@@ -81,20 +74,44 @@ void Impedance::measure_norms() {
   norm_g_ = std::max(norm_g_, norm1(Matrix(g_ri_.transpose())));
 }
 
-void Impedance::weigh() {
-  weight_k_.resize(size());
-  weight_m_.resize(size());
-  weight_g_.resize(size());
+namespace {
+
+// The 1-norm of D₁⁻¹ A D₂⁻¹.
+double norm1_without(const Matrix& a, const Eigen::Ref<const Vector>& rows, const Eigen::Ref<const Vector>& columns) {
+  double norm = 0;
+  for (Index k = 0; k < a.cols(); ++k) norm = std::max(norm, a.col(k).cwiseAbs().cwiseQuotient(rows).sum() / columns(k));
+  return norm;
+}
+
+}  // namespace
+
+const Impedance::Sizes& Impedance::sizes() const {
+  if (sizes_) return *sizes_;
+  Sizes z;
+  const Index n = size();
+  z.k.resize(n);
+  z.m.resize(n);
+  z.g.resize(n);
+  const Vector& d = units_.coordinate;
   if (quadrature()) {
-    weight_k_ << own_weights(k_rr_), own_weights(k_ii_);
-    weight_m_ << m_rr_.diagonal(), m_ii_.diagonal();
+    const auto first = d.head(split_), second = d.tail(n - split_);
+    z.k << own_weights(k_rr_), own_weights(k_ii_);
+    z.m << m_rr_.diagonal(), m_ii_.diagonal();
     const auto [rows, columns] = own_weights_of_coupling(g_ri_);
-    weight_g_ << rows, columns;
+    z.g << rows, columns;
+    z.given_k = std::max(norm1_without(k_rr_, first, first), norm1_without(k_ii_, second, second));
+    z.given_m = std::max(norm1_without(m_rr_, first, first), norm1_without(m_ii_, second, second));
+    z.given_g = std::max(norm1_without(g_ri_, first, second), norm1_without(g_ri_.transpose(), second, first));
   } else {
-    weight_k_ = own_weights(k_rr_);
-    weight_m_ = m_rr_.diagonal();
-    weight_g_ = own_weights(g_ri_);
+    z.k = own_weights(k_rr_);
+    z.m = m_rr_.diagonal();
+    z.g = own_weights(g_ri_);
+    z.given_k = norm1_without(k_rr_, d, d);
+    z.given_m = norm1_without(m_rr_, d, d);
+    z.given_g = norm1_without(g_ri_, d, d);
   }
+  sizes_ = std::move(z);
+  return *sizes_;
 }
 
 std::optional<Impedance> Impedance::with_null_coordinates() const {
@@ -127,11 +144,18 @@ std::optional<Impedance> Impedance::with_null_coordinates() const {
   h.basis_ = Matrix::Identity(size(), size());
   h.basis_.topLeftCorner(p, p) = b1;
   if (quadrature()) h.basis_.bottomRightCorner(size() - p, size() - p) = b2;
+  const Sizes given = sizes();
   const Units outer = units_;
-  h.change_units(false);
+  h.sizes_.reset();
+  h.change_units();
+  h.measure_norms();
+  h.sizes();  // in the new coordinates, but for the norms of what was given
+  const double time = h.units_.time;
+  h.sizes_->given_k = given.given_k * time * time;
+  h.sizes_->given_g = given.given_g * time;
+  h.sizes_->given_m = given.given_m;
   h.basis_ = (h.basis_ * h.units_.coordinate.asDiagonal()).eval();
-  h.units_ = {outer.coordinate, outer.time * h.units_.time};
-  h.weigh();
+  h.units_ = {outer.coordinate, outer.time * time};
   return h;
 }
 
@@ -165,12 +189,15 @@ Matrix Impedance::own_shapes(const Matrix& given) const {
 double Impedance::typical_frequency() const { return std::max(std::sqrt(norm_k_ / norm_m_), norm_g_ / norm_m_) / units_.time; }
 
 double Impedance::scale(double omega) const { return second_order_ ? norm_k_ + omega * (norm_g_ + omega * norm_m_) : omega * norm_m_ + norm_g_; }
-double Impedance::given_scale(double omega) const { return second_order_ ? given_k_ + omega * (given_g_ + omega * given_m_) : omega * given_m_ + given_g_; }
+double Impedance::given_scale(double omega) const {
+  const Sizes& z = sizes();
+  return second_order_ ? z.given_k + omega * (z.given_g + omega * z.given_m) : omega * z.given_m + z.given_g;
+}
 
 Vector Impedance::weight(double omega) const {
-  return second_order_ ? Vector(weight_k_ + omega * (weight_g_ + omega * weight_m_)) : Vector(weight_g_ + omega * weight_m_);
+  const Sizes& z = sizes();
+  return second_order_ ? Vector(z.k + omega * (z.g + omega * z.m)) : Vector(z.g + omega * z.m);
 }
-double Impedance::own_scale(double omega, const Eigen::Ref<const Vector>& size2) const { return weight(omega).dot(size2); }
 
 // [on_k K₁ + on_m M₁, on_g B; ·, on_k K₂ + on_m M₂]
 Matrix Impedance::star(double on_k, double on_m, double on_g) const {
@@ -231,7 +258,8 @@ Inertia Impedance::negative_at(double omega) const {
   const double on_m = second_order_ ? (large ? -1 : -omega * omega) : (large ? 1 : omega);
   const double on_g = second_order_ ? (large ? inverse : omega) : (large ? -inverse : -1);
   // The terms of every row near 1, by powers of two: what is small beside them is their rounding.
-  const Vector terms = on_k * weight_k_ + std::abs(on_g) * weight_g_ + std::abs(on_m) * weight_m_;
+  const Sizes& z = sizes();
+  const Vector terms = on_k * z.k + std::abs(on_g) * z.g + std::abs(on_m) * z.m;
   const Vector d = terms.unaryExpr([](double w) { return w > 0 ? power_of_two_near(1 / std::sqrt(w)) : 1; });
   return quadrature() ? inertia_of_sum(scaled(star(on_k, on_m, on_g), d)) : inertia_of_sum(scaled(hermitian(on_k, on_m, on_g), d));
 }

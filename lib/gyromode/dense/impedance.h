@@ -71,8 +71,6 @@ class Impedance {
   /// Entry by entry |K_ik| ≤ √(κ_i κ_k), with equality up to a factor of two somewhere in each row; likewise for G and M. weight_i(ω) = κ_i + ωg_i + ω²m_i (g_i + ωm_i in first order): a backward error
   /// of η in every coefficient, each in its own scale, changes xᴴHx by at most about η Σ weight_i |x_i|². Changes of units leave it as it is.
   Vector weight(double omega) const;
-  /// Σ weight_i(ω) |x_i|² for one shape X = re + j im in the order of the Spectrum.
-  double own_scale(double omega, const Eigen::Ref<const Vector>& size2) const;
 
   /// The three real symmetric or skew matrices, restricted to the rows that carry the real (r) and the imaginary (i) parts of a shape. Without a partition
   /// both are all rows.
@@ -83,14 +81,20 @@ class Impedance {
   const Matrix& gyroscopic_ri() const { return g_ri_; }
 
  private:
+  // What solvers do not need and certificates do, made when first asked for.
+  struct Sizes {
+    Vector k, g, m;                              // of entries in their own place: see weight()
+    double given_k = 0, given_g = 0, given_m = 0;  // norms of the matrices given, in the component's unit of time
+  };
+
   Impedance(std::vector<Index> order, Index split, bool second_order) : order_(std::move(order)), split_(split), second_order_(second_order) {}
   Matrix star(double on_k, double on_m, double on_g) const;
   ComplexMatrix hermitian(double on_k, double on_m, double on_g) const;
   ComplexMatrix combined(Complex on_k, Complex on_g, Complex on_m) const;
   void take(const Matrix& mass, const Matrix& gyroscopic, const Matrix* stiffness, bool natural);
-  void change_units(bool first_order);
+  void change_units();
   void measure_norms();
-  void weigh();
+  const Sizes& sizes() const;
 
   std::vector<Index> order_;
   Index split_ = -1;
@@ -99,8 +103,7 @@ class Impedance {
   Matrix basis_;  // B, n × n, empty where it is 1
   Matrix k_rr_, k_ii_, m_rr_, m_ii_, g_ri_;
   double norm_k_ = 0, norm_g_ = 0, norm_m_ = 0;
-  double given_k_ = 0, given_g_ = 0, given_m_ = 0;  // of the matrices given, in the component's unit of time
-  Vector weight_k_, weight_g_, weight_m_;
+  mutable std::optional<Sizes> sizes_;
 };
 
 }  // namespace gyromode

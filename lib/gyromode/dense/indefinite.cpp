@@ -13,13 +13,15 @@ namespace {
 
 IndefiniteModes collected(Index n, const std::vector<EvenRoot>& roots, double gamma) {
   IndefiniteModes modes;
-  std::vector<const EvenRoot*> vibrations;
+  std::vector<const EvenRoot*> vibrations, unstable;
   for (const EvenRoot& r : roots) {
-    if (r.lambda.real() == 0) {
-      if (r.lambda.imag() > 0) vibrations.push_back(&r);
-    } else {
-      modes.unstable.add(r.lambda * gamma, r.w.head(n), r.left.head(n));
-    }
+    if (r.lambda.real() != 0) unstable.push_back(&r);
+    else if (r.lambda.imag() > 0) vibrations.push_back(&r);
+  }
+  modes.unstable = UnstableRoots(n, static_cast<Index>(unstable.size()));
+  for (std::size_t k = 0; k < unstable.size(); ++k) {
+    const EvenRoot& r = *unstable[k];
+    modes.unstable.set(static_cast<Index>(k), r.lambda * gamma, r.w.head(n), r.left.head(n));
   }
   std::sort(vibrations.begin(), vibrations.end(), [](const EvenRoot* a, const EvenRoot* b) { return a->lambda.imag() < b->lambda.imag(); });
   const Index m = static_cast<Index>(vibrations.size());

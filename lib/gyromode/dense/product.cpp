@@ -15,22 +15,20 @@ QuadratureModes collected(const QuadratureForm& form, const std::vector<ProductR
   const Index p = form.first.k().rows();
   const Index r = form.second.k().rows();
   QuadratureModes modes;
-  std::vector<const ProductRoot*> vibrations;
+  std::vector<const ProductRoot*> vibrations, unstable;
   for (const ProductRoot& root : roots) {
     if (root.mu.imag() == 0 && root.mu.real() > 0) vibrations.push_back(&root);
-    if (root.mu.imag() == 0 && root.mu.real() < 0) {
-      const double sigma = std::sqrt(-root.mu.real());
-      ComplexVector shape = root.u;  // (x, ẏ), ẏ = σy
-      shape.tail(r) /= sigma;
-      add_reversible(modes.unstable, sigma, shape, p);
-    }
-    if (root.mu.imag() > 0) {  // λ² = −μ and −μ̄: one quadruple. Its λ = σ + jω with σ, ω > 0 has λ² = −μ̄, so the vector ū
-      const Complex frequency = std::sqrt(root.mu);  // ω + jσ
-      const Complex lambda(frequency.imag(), frequency.real());
-      ComplexVector shape = root.u.conjugate();  // (x, ẏ), ẏ = λy
-      shape.tail(r) /= lambda;
-      add_reversible(modes.unstable, lambda, shape, p);
-    }
+    else if (root.mu.imag() >= 0) unstable.push_back(&root);
+  }
+  modes.unstable = UnstableRoots(p + r, static_cast<Index>(unstable.size()));
+  for (std::size_t k = 0; k < unstable.size(); ++k) {
+    // λ² = −μ and −μ̄: one pair or quadruple. Its λ = σ + jω with σ > 0, ω ≥ 0 has λ² = −μ̄, so the vector ū.
+    const ProductRoot& root = *unstable[k];
+    const Complex frequency = std::sqrt(root.mu);  // ω + jσ
+    const Complex lambda(frequency.imag(), frequency.real());
+    ComplexVector shape = root.u.conjugate();  // (x, ẏ), ẏ = λy
+    shape.tail(r) /= lambda;
+    modes.unstable.set(static_cast<Index>(k), lambda, shape, reversed(shape, p));
   }
   std::sort(vibrations.begin(), vibrations.end(), [](const ProductRoot* a, const ProductRoot* b) { return a->mu.real() < b->mu.real(); });
   const Index m = static_cast<Index>(vibrations.size());

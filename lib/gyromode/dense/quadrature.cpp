@@ -41,11 +41,11 @@ UnstableRoots divergent(const QuadratureForm& form, const Vector& sigma, const M
   const Index q = f.cols();
   Matrix x = lapack::multiply(f, v.topRows(q));
   lapack::multiply_into(x, 1, form.b, false, v.bottomRows(v.rows() - q), false, 1);
-  UnstableRoots roots;
+  UnstableRoots roots(x.rows() + v.rows() - q, sigma.size());
   for (Index k = 0; k < sigma.size(); ++k) {
     ComplexVector right(x.rows() + v.rows() - q);
     right << (-x.col(k) / (sigma(k) * sigma(k))).cast<Complex>(), (v.col(k).tail(v.rows() - q) / sigma(k)).cast<Complex>();
-    add_reversible(roots, sigma(k), right, x.rows());
+    roots.set(k, sigma(k), right, reversed(right, x.rows()));
   }
   return roots;
 }
@@ -129,11 +129,11 @@ QuadratureForm exchanged(const QuadratureForm& form) { return {-form.b.transpose
 QuadratureModes exchanged_back(QuadratureModes modes) {
   std::swap(modes.x, modes.y);
   modes.y = -modes.y;
-  UnstableRoots unstable;  // e^{λt}: (x, y) of the exchanged form is (y, x) of this one, without a sign
+  UnstableRoots unstable(modes.x.rows() + modes.y.rows(), modes.unstable.count());  // e^{λt}: (x, y) of the exchanged form is (y, x) of this one, without a sign
   for (Index k = 0; k < modes.unstable.count(); ++k) {
     ComplexVector right(modes.x.rows() + modes.y.rows());
     right << modes.unstable.right.col(k).tail(modes.x.rows()), modes.unstable.right.col(k).head(modes.y.rows());
-    add_reversible(unstable, modes.unstable.lambda[static_cast<std::size_t>(k)], right, modes.x.rows());
+    unstable.set(k, modes.unstable.lambda[static_cast<std::size_t>(k)], right, reversed(right, modes.x.rows()));
   }
   modes.unstable = std::move(unstable);
   return modes;
@@ -141,10 +141,10 @@ QuadratureModes exchanged_back(QuadratureModes modes) {
 
 }  // namespace
 
-void add_reversible(UnstableRoots& roots, Complex lambda, const ComplexVector& right, Index in_phase) {
+ComplexVector reversed(const ComplexVector& right, Index in_phase) {
   ComplexVector left = right.conjugate();
   left.tail(left.size() - in_phase) *= -1;
-  roots.add(lambda, right, left);
+  return left;
 }
 
 QuadratureModes quadrature_modes(const QuadratureForm& form) {

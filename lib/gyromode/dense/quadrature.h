@@ -55,8 +55,8 @@ struct QuadratureModes {
   std::string path;
 };
 
-/// Adds a root with X = (x, y), x the first `in_phase` rows: with T = diag(1, −1) reversing time, TN(λ)T = N(−λ), so that Y = T X̄ belongs to −λ̄.
-void add_reversible(UnstableRoots& roots, Complex lambda, const ComplexVector& right, Index in_phase);
+/// Y of a root with X = (x, y), x the first `in_phase` rows: with T = diag(1, −1) reversing time, TN(λ)T = N(−λ), so that Y = T X̄ belongs to −λ̄.
+ComplexVector reversed(const ComplexVector& right, Index in_phase);
 
 /// All roots of the form, by what its blocks allow:
 ///   a block ≥ 0      W of (T5), real symmetric n × n; the singular values of C, W = CCᵀ, where small frequencies ask for it;

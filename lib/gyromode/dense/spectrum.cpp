@@ -4,6 +4,12 @@
 
 namespace gyromode::dense {
 
+void UnstableRoots::set(Index k, Complex root, const ComplexVector& x, const ComplexVector& y) {
+  lambda[static_cast<std::size_t>(k)] = root;
+  right.col(k) = x;
+  left.col(k) = y;
+}
+
 void UnstableRoots::add(Complex root, const ComplexVector& x, const ComplexVector& y) {
   const Index k = count();
   lambda.push_back(root);

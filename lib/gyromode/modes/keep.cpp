@@ -84,7 +84,7 @@ ModesResult find_modes_keeping(const System& system, const std::vector<Index>& k
   ModesOptions with_shapes = options;
   with_shapes.shapes = true;
   ModesResult r = find_modes(system, with_shapes);
-  mark_local(r.modes, without_ignored_couplings(system, options.structure), r.structure, kept);
+  mark_local(r.modes, system, r.structure, kept);
   const auto local = std::count_if(r.modes.begin(), r.modes.end(), [](const Mode& m) { return m.kind == ModeKind::local; });
   if (!options.shapes) {
     for (Mode& m : r.modes) m.shape.resize(0);

@@ -110,7 +110,7 @@ class Elimination {
     l_.block(at, at, width, width).setIdentity();
     l_.block(at + width, at, rest, width) = factor;
     s_.bottomRightCorner(rest, rest) -= factor * below.transpose();
-    terms_.bottomRightCorner(rest, rest) += factor.cwiseAbs() * terms_.block(at + width, at, rest, width).transpose();
+    terms_.bottomRightCorner(rest, rest) += factor.cwiseAbs() * below.cwiseAbs().transpose();  // the backward error is some ε of Σ |L||D||Lᵀ|
     for (Index k = at + width; k < n_; ++k) {
       for (Index i = k; i < n_; ++i) {
         s_(i, k) = s_(k, i) = 0.5 * (s_(i, k) + s_(k, i));
@@ -135,6 +135,8 @@ bool RankedFactor::doubtful() const {
   const double n = static_cast<double>(regular.size() + free.size());
   return !(smallest_kept > 64 * n * epsilon);
 }
+
+RankedFactor ranked_factor(const Matrix& k) { return ranked_factor(k, entry_scale(k)); }
 
 RankedFactor ranked_factor(const Matrix& k, const Matrix& terms) {
   RankedFactor f;

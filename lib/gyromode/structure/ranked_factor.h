@@ -21,8 +21,8 @@ struct RankedFactor {
   bool doubtful() const;
 };
 
-/// `terms`: the size of what each entry of K was computed from (|K| itself where it was given): its rounding error is some ε of that. n × n.
+/// `terms`: the size of what each entry of K was computed from (entry_scale(K) where K was given): its rounding error is some ε of that. n × n.
 RankedFactor ranked_factor(const Matrix& k, const Matrix& terms);
-inline RankedFactor ranked_factor(const Matrix& k) { return ranked_factor(k, k.cwiseAbs()); }
+RankedFactor ranked_factor(const Matrix& k);
 
 }  // namespace gyromode

@@ -63,9 +63,8 @@ RankedSkew ranked_skew(Matrix s, Matrix terms) {
     const Vector b1 = s.col(at).tail(rest), b2 = s.col(at + 1).tail(rest);
     t.row(at).tail(rest) = b2.transpose() / g;
     t.row(at + 1).tail(rest) = -b1.transpose() / g;
-    const Vector t1 = terms.col(at).tail(rest), t2 = terms.col(at + 1).tail(rest);
     s.bottomRightCorner(rest, rest) += (b1 * b2.transpose() - b2 * b1.transpose()) / g;
-    terms.bottomRightCorner(rest, rest) += (b1.cwiseAbs() * t2.transpose() + b2.cwiseAbs() * t1.transpose()) / std::abs(g);
+    terms.bottomRightCorner(rest, rest) += (b1.cwiseAbs() * b2.cwiseAbs().transpose() + b2.cwiseAbs() * b1.cwiseAbs().transpose()) / std::abs(g);
     drop_rounding(at + 2);
   }
   f.regular.assign(order.begin(), order.begin() + at);

@@ -165,6 +165,22 @@ double worst_entry(const Reflection& r, const Normalised& s, const Matrix& mass,
   return worst;
 }
 
+// tr(Γ kΓ k²Γ) over the norms of its three factors. Of matrices without structure it is some n^−1.5; with an R it is rounding, and beside one as far as R is broken.
+std::optional<SymmetrySearch> excluded_by_invariant(const Normalised& s) {
+  constexpr double far = 1e-2;
+  const Matrix p = lapack::multiply(s.k, s.gamma);
+  const Matrix q = lapack::multiply(s.k, p);
+  const Matrix gamma_p = lapack::multiply(s.gamma, p);
+  const double n = static_cast<double>(s.k.rows());
+  const double size = std::abs(gamma_p.cwiseProduct(q.transpose()).sum()) * std::pow(n, 1.5) / (s.norm_gamma * p.norm() * q.norm());
+  const double rounding = 100 * std::pow(n, 1.5) * (ratio(s.noise_k, s.norm_k) + ratio(s.noise_gamma, s.norm_gamma) + n * epsilon);
+  if (!(size > far) || !(size > rounding)) return std::nullopt;
+  SymmetrySearch none;
+  none.breach = size;
+  none.threshold = rounding;
+  return none;
+}
+
 // How far `noise` in A turns each of its eigenvectors towards its neighbours.
 Vector noise_of_vectors(const Vector& ascending, double noise) {
   const Index n = ascending.size();
@@ -190,8 +206,11 @@ Matrix ReversingSymmetry::reflection(const Matrix& mass) const {
   return 2 * lapack::multiply(in_phase, lapack::multiply_tn(in_phase, mass)) - Matrix::Identity(mass.rows(), mass.rows());
 }
 
-SymmetrySearch find_reversing_symmetry(const Matrix& mass, const Matrix& gyroscopic, const Matrix& stiffness) {
+SymmetrySearch find_reversing_symmetry(const Matrix& mass, const Matrix& gyroscopic, const Matrix& stiffness, bool quick) {
   const Normalised s = normalised(mass, gyroscopic, stiffness);
+  if (quick) {
+    if (const auto excluded = excluded_by_invariant(s)) return *excluded;
+  }
   Search search(s);
   const auto e = lapack::hermitian_eigen(hermitian_combination(s, search.unit_k(), search.unit_gamma()));
   const double noise = epsilon * static_cast<double>(mass.rows()) + s.noise_k / search.unit_k() + s.noise_gamma / search.unit_gamma();

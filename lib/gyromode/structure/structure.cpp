@@ -21,6 +21,9 @@ bool worth_a_search(const Matrix& stiffness, HiddenSearch choice) {
   return stiffness.rows() <= unnoticed || !positive_definite(stiffness);
 }
 
+// Beyond this order, where only cost counts, an invariant is asked before the search.
+constexpr std::size_t unnoticed_search = 64;
+
 std::vector<Index> collected(const std::vector<Component>& components, std::vector<Index> Component::*group) {
   std::vector<Index> all;
   for (const Component& c : components) all.insert(all.end(), (c.*group).begin(), (c.*group).end());
@@ -61,7 +64,7 @@ Structure analyse(const System& system, HiddenSearch hidden) {
     if (c.quadrature()) continue;
     const auto& at = c.coordinates;
     const Matrix stiffness = system.stiffness()(at, at);
-    if (worth_a_search(stiffness, hidden)) c.search = std::make_shared<SymmetrySearch>(find_reversing_symmetry(system.mass()(at, at), system.gyroscopic()(at, at), stiffness));
+    if (worth_a_search(stiffness, hidden)) c.search = std::make_shared<SymmetrySearch>(find_reversing_symmetry(system.mass()(at, at), system.gyroscopic()(at, at), stiffness, hidden == HiddenSearch::by_cost && c.coordinates.size() > unnoticed_search));
   }
   return s;
 }

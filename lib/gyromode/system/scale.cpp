@@ -49,6 +49,11 @@ std::pair<Vector, Vector> own_weights_of_coupling(const Matrix& b) {
 
 Vector own_weights(const Matrix& a) { return own_weights_of_coupling(a).first; }
 
+Matrix entry_scale(const Matrix& a) {
+  const Vector root = own_weights(a).cwiseSqrt();
+  return a.cwiseAbs().cwiseMax(root * root.transpose());
+}
+
 double power_of_two_near(double x) { return x == 0 ? 1 : std::exp2(std::round(std::log2(x))); }
 
 Vector unit_diagonal_scale(const Matrix& a) {

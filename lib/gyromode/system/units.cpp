@@ -15,7 +15,13 @@ int half_down(int e) { return e >= 0 ? e / 2 : -((1 - e) / 2); }
 // The largest exponent of |a_ik| · 2^(rows_i + columns_k), or `none` where a is zero.
 int largest_exponent(const Matrix& a, const int* rows, const int* columns, int none) {
   int largest = none;
+  const bool same = a.rows() > 0 && std::all_of(rows, rows + a.rows(), [&](int e) { return e == rows[0]; });
   for (Index k = 0; k < a.cols(); ++k) {
+    if (same) {  // no logarithm an entry
+      const double top = a.col(k).cwiseAbs().maxCoeff();
+      if (top > 0) largest = std::max(largest, std::ilogb(top) + rows[0] + columns[k]);
+      continue;
+    }
     for (Index i = 0; i < a.rows(); ++i) {
       if (a(i, k) != 0) largest = std::max(largest, std::ilogb(a(i, k)) + rows[i] + columns[k]);
     }
@@ -42,17 +48,18 @@ Units natural_units(const Vector& mass_diagonal, const Matrix& k1, const Matrix&
   return units;
 }
 
-Matrix in_units(const Matrix& a, const Vector& rows, const Vector& columns, double factor) {
-  if (a.size() == 0) return a;
-  const double widest = std::max({rows.cwiseAbs().maxCoeff(), columns.cwiseAbs().maxCoeff(), factor, 1.0});
-  const double narrowest = std::min({rows.cwiseAbs().minCoeff(), columns.cwiseAbs().minCoeff(), factor, 1.0});
-  constexpr double safe = 0x1p200;
-  if (widest <= safe && narrowest >= 1 / safe) return rows.asDiagonal() * a * (factor * columns).asDiagonal();
-  Matrix b(a.rows(), a.cols());
+void change_units_of(Matrix& a, const Vector& rows, const Vector& columns, double factor) {
+  if (a.size() == 0) return;
+  const double widest = std::max({rows.maxCoeff(), columns.maxCoeff(), factor, 1.0});
+  const double narrowest = std::min({rows.minCoeff(), columns.minCoeff(), factor, 1.0});
+  const bool safe = widest <= 0x1p200 && narrowest >= 0x1p-200;
   for (Index k = 0; k < a.cols(); ++k) {
-    for (Index i = 0; i < a.rows(); ++i) b(i, k) = a(i, k) == 0 ? 0 : std::ldexp(a(i, k), std::ilogb(rows(i)) + std::ilogb(columns(k)) + std::ilogb(factor));
+    if (safe) {
+      a.col(k).array() *= rows.array() * (factor * columns(k));
+      continue;
+    }
+    for (Index i = 0; i < a.rows(); ++i) a(i, k) = a(i, k) == 0 ? 0 : std::ldexp(a(i, k), std::ilogb(rows(i)) + std::ilogb(columns(k)) + std::ilogb(factor));
   }
-  return b;
 }
 
 }  // namespace gyromode

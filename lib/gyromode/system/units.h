@@ -17,7 +17,7 @@ struct Units {
 /// (k1, g: n × n; k2 0 × 0) or, with `blocks`, as K = diag(k1, k2) and the upper right block g of G.
 Units natural_units(const Vector& mass_diagonal, const Matrix& k1, const Matrix& k2, const Matrix& g, bool blocks);
 
-/// a_ik · rows_i · columns_k · factor, all of them powers of two (`factor`: time² for a stiffness, time for G). No product in between overflows where the result does not.
-Matrix in_units(const Matrix& a, const Vector& rows, const Vector& columns, double factor);
+/// a_ik := a_ik · rows_i · columns_k · factor, all of them powers of two (`factor`: time² for a stiffness, time for G). No product in between overflows where the result does not.
+void change_units_of(Matrix& a, const Vector& rows, const Vector& columns, double factor);
 
 }  // namespace gyromode
