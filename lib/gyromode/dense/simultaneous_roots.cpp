@@ -4,6 +4,7 @@
 #include "gyromode/dense/pencil.h"
 #include "gyromode/dense/root_moduli.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -35,8 +36,8 @@ Complex logarithmic_derivative(const Impedance& h, Complex mu, Index zero) {
 }
 
 struct Iterate {
-  double step = std::numeric_limits<double>::infinity();  // relative
-  int without_progress = 0;
+  double least_step = std::numeric_limits<double>::infinity();  // relative
+  int without_progress = 0;                                     // rounds since it became less
   bool settled = false;
 };
 
@@ -52,14 +53,17 @@ void advance(const Impedance& h, Index zero, Index i, ComplexVector& mu, Iterate
     if (k != i && mu(k) != mu(i)) others += 1.0 / (mu(i) - mu(k));
   }
   const Complex step = 1.0 / (slope - others);
-  if (!std::isfinite(step.real()) || !std::isfinite(step.imag())) return;
+  if (!std::isfinite(step.real()) || !std::isfinite(step.imag())) {  // the slope overflows there
+    state.settled = true;
+    return;
+  }
   const double longest = 0.5 * std::abs(mu(i));
   const Complex taken = std::abs(step) > longest ? step * (longest / std::abs(step)) : step;
   const double size = std::abs(taken) / std::abs(mu(i));
   mu(i) -= taken;
-  state.without_progress = size < 0.7 * state.step ? 0 : state.without_progress + 1;
-  state.settled = size <= 8 * epsilon || (size <= small && state.without_progress >= 3);
-  state.step = size;
+  state.without_progress = size < 0.7 * state.least_step ? 0 : state.without_progress + 1;
+  state.settled = size <= 8 * epsilon || (state.least_step <= small && state.without_progress >= 4);
+  state.least_step = std::min(state.least_step, size);
 }
 
 }  // namespace

@@ -32,7 +32,9 @@ SolvedComponent certified(Impedance impedance, dense::Spectrum spectrum) {
 
 double worst_residual(const SolvedComponent& c) {
   double worst = 0;
-  for (const double r : c.assessment.own_residual) worst = r <= worst ? worst : std::isfinite(r) ? r : std::numeric_limits<double>::infinity();
+  for (const Vector* residuals : {&c.assessment.own_residual, &c.assessment.unstable.own_residual}) {
+    for (const double r : *residuals) worst = r <= worst ? worst : std::isfinite(r) ? r : std::numeric_limits<double>::infinity();
+  }
   return worst;
 }
 
