@@ -2,6 +2,8 @@
 
 #include "gyromode/lapack/multiply.h"
 
+#include <Eigen/SVD>
+
 #include <cmath>
 #include <limits>
 
@@ -79,6 +81,28 @@ Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableR
     a.sensitivity(i) = own_scale / slope;
   }
   return a;
+}
+
+double span_bound(const Impedance& h, const dense::UnstableRoots& roots, const std::vector<Index>& group) {
+  const dense::UnstableRoots part = roots.chosen(group);
+  const CharacteristicProducts p = characteristic_products(h, part.right);
+  const Assessment::Unstable a = measure_unstable(h, part, p);
+  const Index c = part.count();
+  ComplexMatrix gram(c, c);
+  Vector own_x(c), own_y(c);
+  for (Index i = 0; i < c; ++i) {
+    const Vector weight = h.weight(std::abs(part.lambda[static_cast<std::size_t>(i)]));
+    own_x(i) = weight.dot(part.right.col(i).cwiseAbs2());
+    own_y(i) = weight.dot(part.left.col(i).cwiseAbs2());
+  }
+  double error2 = 0;
+  for (Index i = 0; i < c; ++i) {
+    const Complex lambda = part.lambda[static_cast<std::size_t>(i)];
+    // error_bound · |YᴴN′X| / own scale is the error relative to the own scale, and sensitivity is own scale / |YᴴN′X|.
+    error2 += std::pow(a.error_bound(i) / a.sensitivity(i), 2);
+    for (Index k = 0; k < c; ++k) gram(k, i) = part.left.col(k).dot(p.g.col(i) + 2.0 * lambda * p.m.col(i)) / std::sqrt(own_x(i) * own_y(k));
+  }
+  return std::sqrt(error2) / Eigen::JacobiSVD<ComplexMatrix>(gram).singularValues().minCoeff();
 }
 
 }  // namespace gyromode

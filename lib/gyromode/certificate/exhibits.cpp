@@ -1,5 +1,6 @@
 #include "gyromode/certificate/exhibits.h"
 
+#include "gyromode/certificate/assess_unstable.h"
 #include "gyromode/dense/characteristic_factor.h"
 
 #include <fmt/format.h>
@@ -140,6 +141,24 @@ bool independent(const Surroundings& s, const std::vector<Disc>& discs, const st
   return std::all_of(group.begin(), group.end(), [&](std::size_t i) { return discs[i].mode && a.error_bound(discs[i].at) <= small_part * s.outer; });
 }
 
+// The same of roots off the axis, with left and right shapes of their own; their bound becomes that of their span.
+bool independent_off_axis(const Impedance& h, const dense::Spectrum& s, const Surroundings& near, const std::vector<Disc>& discs, const std::vector<std::size_t>& group, Assessment& a) {
+  constexpr double small_part = 0.1;
+  std::vector<Index> at;
+  double nearest_axis = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : group) {
+    if (discs[i].mode) return false;
+    at.push_back(discs[i].at);
+    nearest_axis = std::min(nearest_axis, discs[i].centre.real());
+  }
+  constexpr std::size_t most = 64;
+  if (at.size() > most) return false;
+  const double bound = span_bound(h, s.unstable, at);
+  if (!(bound <= small_part * near.outer) || !(bound <= small_part * nearest_axis)) return false;
+  for (const Index i : at) a.unstable.error_bound(i) = std::max(a.unstable.error_bound(i), bound);
+  return true;
+}
+
 }  // namespace
 
 Exhibits exhibited(const Impedance& h, const dense::Spectrum& s, Assessment& a) {
@@ -149,7 +168,7 @@ Exhibits exhibited(const Impedance& h, const dense::Spectrum& s, Assessment& a) 
   for (const auto& group : touching(discs)) {
     if (group.size() == 1 && stands_alone(discs[group[0]])) continue;
     const Surroundings near = around(discs, group);
-    if (group.size() > 1 && independent(near, discs, group, a)) continue;
+    if (group.size() > 1 && (independent(near, discs, group, a) || independent_off_axis(h, s, near, discs, group, a))) continue;
     double spread = 0;
     for (const std::size_t i : group) spread = std::max(spread, std::abs(discs[i].centre - near.centre));
     if (const auto radius = counted(h, near, spread)) {

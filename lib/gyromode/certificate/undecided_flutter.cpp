@@ -55,7 +55,7 @@ double room_around(Complex lambda, const std::vector<Complex>& roots, std::size_
 // seconds allow, the weakest first.
 bool refine_poor_roots(const Impedance& h, dense::Spectrum& s, const Assessment& a) {
   constexpr double small_part = 1e-3;
-  const double enough = backward_error(s.size());
+  const double enough = (s.size() <= 64 ? 1 : 6) * backward_error(s.size());
   std::vector<Index> poor;
   for (Index k = 0; k < s.unstable.count(); ++k) {
     const bool good = a.unstable.own_residual(k) <= enough && a.unstable.error_bound(k) <= small_part * s.unstable.lambda[static_cast<std::size_t>(k)].real();

@@ -1,8 +1,7 @@
 #include "gyromode/dense/characteristic_factor.h"
 
+#include "gyromode/lapack/complex_lu.h"
 #include "gyromode/system/scale.h"
-
-#include <Eigen/LU>
 
 #include <cmath>
 #include <numbers>
@@ -14,15 +13,14 @@ namespace {
 // D N D with rows and columns near 1 (|N| is symmetric), and D.
 struct Equilibrated {
   Vector d;
-  Eigen::PartialPivLU<ComplexMatrix> lu;
+  lapack::ComplexLu lu;
 };
 
 Vector scale_at(const Impedance& h, double size) { return h.weight(size).unaryExpr([](double w) { return w > 0 ? power_of_two_near(1 / std::sqrt(w)) : 1; }); }
 
 Equilibrated factored(const Impedance& h, Complex lambda) {
-  Equilibrated f{scale_at(h, std::abs(lambda)), {}};
-  f.lu.compute(scaled(h.characteristic_at(lambda), f.d));
-  return f;
+  const Vector d = scale_at(h, std::abs(lambda));
+  return {d, lapack::ComplexLu(scaled(h.characteristic_at(lambda), d))};
 }
 
 }  // namespace
@@ -34,8 +32,8 @@ NullPair null_pair(const Impedance& h, Complex lambda) {
   for (Index i = 0; i < n; ++i) start(i) = std::polar(1.0, 0.7 + 1.9 * static_cast<double>(i * i % 97));
   NullPair v{start, start};
   for (int step = 0; step < 2; ++step) {
-    v.right = f.lu.solve(v.right).normalized().eval();
-    v.left = f.lu.adjoint().solve(v.left).normalized().eval();
+    v.right = f.lu.solve(v.right).col(0).normalized();
+    v.left = f.lu.solve_adjoint(v.left).col(0).normalized();
   }
   v.right = (f.d.asDiagonal() * v.right).normalized().eval();
   v.left = (f.d.asDiagonal() * v.left).normalized().eval();

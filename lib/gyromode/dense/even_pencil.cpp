@@ -31,39 +31,57 @@ double gap_below(const ComplexVector& lambda, double limit) {
   return place;
 }
 
-Index nearest(const ComplexVector& lambda, Complex to) {
-  Index at = 0;
-  (lambda.array() - to).abs().minCoeff(&at);
-  return at;
+// For every real root σ > 0 a root −σ, no two the same.
+std::vector<std::pair<Index, Index>> real_pairs(const ComplexVector& lambda, const std::vector<Index>& real) {
+  std::vector<Index> positive, negative;
+  for (const Index i : real) (lambda(i).real() > 0 ? positive : negative).push_back(i);
+  const auto by_size = [&](Index a, Index b) { return std::abs(lambda(a)) < std::abs(lambda(b)); };
+  std::sort(positive.begin(), positive.end(), by_size);
+  std::sort(negative.begin(), negative.end(), by_size);
+  std::vector<std::pair<Index, Index>> pairs;
+  for (std::size_t k = 0; k < positive.size(); ++k) {
+    Index partner = k < negative.size() ? negative[k] : positive[k];
+    if (positive.size() != negative.size()) {  // one of a pair is elsewhere: the nearest
+      for (const Index i : negative) {
+        if (std::abs(lambda(i) + lambda(positive[k])) < std::abs(lambda(partner) + lambda(positive[k]))) partner = i;
+      }
+    }
+    pairs.emplace_back(positive[k], partner);
+  }
+  return pairs;
 }
 
-std::vector<EvenRoot> roots_of(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w, int depth) {
+// One level: `p` is `whole` on the span of `basis` (`whole` itself where that is empty), λ and w its plain eigenpairs. Roots far below the largest are taken again in a basis of their span, on which the whole pencil is
+// projected, not this one: what is small in it keeps its digits.
+std::vector<EvenRoot> roots_of(const EvenPencil& whole, const EvenPencil& p, const Matrix& basis, const ComplexVector& lambda, const ComplexMatrix& w, int depth) {
   constexpr double small_ratio = 1e-2;
   constexpr int deepest = 12;
   if (lambda.size() == 0) return {};
   const double largest = lambda.cwiseAbs().maxCoeff();
   const double limit = depth < deepest ? gap_below(lambda, small_ratio * largest) : 0;
-  std::vector<Index> small, upper;
+  std::vector<Index> small, real, upper;
   std::vector<EvenRoot> roots;
   for (Index i = 0; i < lambda.size(); ++i) {
     if (std::abs(lambda(i)) < limit) {
       small.push_back(i);
     } else if (lambda(i).imag() == 0) {
-      if (lambda(i).real() > 0) roots.push_back({lambda(i), w.col(i), w.col(nearest(lambda, -lambda(i)))});
+      real.push_back(i);
     } else if (lambda(i).imag() > 0) {
       upper.push_back(i);
     }
   }
-  if (small.size() % 2 != 0) return roots_of(p, lambda, w, deepest);  // a pair torn by the limit: everything at this level
+  if (small.size() % 2 != 0) return roots_of(whole, p, basis, lambda, w, deepest);  // a pair torn by the limit: everything at this level
+  for (const auto& [i, partner] : real_pairs(lambda, real)) roots.push_back({lambda(i), w.col(i), w.col(partner)});
   for (EvenRoot& r : roots_of_groups(p, lambda(upper), w(Eigen::all, upper))) roots.push_back(std::move(r));
-  if (!small.empty()) {  // in a basis of their span: the error of the plain eigenvalues is relative to the largest
-    const Matrix v = real_basis(w, lambda, small);
-    const EvenPencil inner = p.projected(v);
-    const auto e = inner.plain_eigen();
-    for (EvenRoot& r : roots_of(inner, e.values, e.vectors, depth + 1)) {
-      roots.push_back({r.lambda, v * r.w, r.left.size() > 0 ? ComplexVector(v * r.left) : ComplexVector()});
-    }
+  if (basis.size() > 0) {
+    for (EvenRoot& r : roots) r = {r.lambda, basis * r.w, r.left.size() > 0 ? ComplexVector(basis * r.left) : ComplexVector()};
   }
+  if (small.empty()) return roots;
+  const Matrix part = real_basis(w, lambda, small);
+  const Matrix v = basis.size() > 0 ? orthonormal_basis(lapack::multiply(basis, part)) : part;
+  const EvenPencil inner = whole.projected(v);
+  const auto e = inner.plain_eigen();
+  for (EvenRoot& r : roots_of(whole, inner, v, e.values, e.vectors, depth + 1)) roots.push_back(std::move(r));
   return roots;
 }
 
@@ -109,6 +127,6 @@ EvenPencil EvenPencil::projected(const Matrix& v) const {
   return {0.5 * (s - s.transpose()), 0.5 * (e + e.transpose())};
 }
 
-std::vector<EvenRoot> roots_of(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w) { return roots_of(p, lambda, w, 0); }
+std::vector<EvenRoot> roots_of(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w) { return roots_of(p, p, Matrix(), lambda, w, 0); }
 
 }  // namespace gyromode::dense

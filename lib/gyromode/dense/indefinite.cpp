@@ -11,7 +11,15 @@ namespace gyromode::dense {
 
 namespace {
 
-IndefiniteModes collected(Index n, const std::vector<EvenRoot>& roots, double gamma) {
+// X of w = (X, λX), units of 1/γ: the half that is large once the companion matrix is balanced, by √‖k‖, as LAPACK does; the other half has the absolute error of that one (Tisseur 2000).
+ComplexVector shape_of(const ComplexVector& w, Complex lambda, double root_of_stiffness) {
+  const Index n = w.size() / 2;
+  return std::abs(lambda) > root_of_stiffness ? ComplexVector(w.tail(n) / lambda) : ComplexVector(w.head(n));
+}
+
+IndefiniteModes collected(const NormalForm& form, const std::vector<EvenRoot>& roots, double gamma) {
+  const Index n = form.size();
+  const double root_of_stiffness = std::sqrt(form.k.norm() / std::sqrt(static_cast<double>(std::max<Index>(n, 1)))) / gamma;
   IndefiniteModes modes;
   std::vector<const EvenRoot*> vibrations, unstable;
   for (const EvenRoot& r : roots) {
@@ -21,7 +29,7 @@ IndefiniteModes collected(Index n, const std::vector<EvenRoot>& roots, double ga
   modes.unstable = UnstableRoots(n, static_cast<Index>(unstable.size()));
   for (std::size_t k = 0; k < unstable.size(); ++k) {
     const EvenRoot& r = *unstable[k];
-    modes.unstable.set(static_cast<Index>(k), r.lambda * gamma, r.w.head(n), r.left.head(n));
+    modes.unstable.set(static_cast<Index>(k), r.lambda * gamma, shape_of(r.w, r.lambda, root_of_stiffness), shape_of(r.left, -std::conj(r.lambda), root_of_stiffness));
   }
   std::sort(vibrations.begin(), vibrations.end(), [](const EvenRoot* a, const EvenRoot* b) { return a->lambda.imag() < b->lambda.imag(); });
   const Index m = static_cast<Index>(vibrations.size());
@@ -30,7 +38,7 @@ IndefiniteModes collected(Index n, const std::vector<EvenRoot>& roots, double ga
   for (Index k = 0; k < m; ++k) {
     const EvenRoot& r = *vibrations[static_cast<std::size_t>(k)];
     modes.omega(k) = r.lambda.imag() * gamma;
-    modes.shapes.col(k) = r.w.head(n);
+    modes.shapes.col(k) = shape_of(r.w, r.lambda, root_of_stiffness);
   }
   return modes;
 }
@@ -50,7 +58,7 @@ IndefiniteModes indefinite_modes(const NormalForm& form, const Matrix& gyroscopi
   const EvenPencil p = even_pencil(form, gamma);
   if (gyroscopic_null.cols() == 0) {
     const auto e = p.plain_eigen();
-    return collected(n, roots_of(p, e.values, e.vectors), gamma);
+    return collected(form, roots_of(p, e.values, e.vectors), gamma);
   }
   // 𝓔(N_g, 0) = 0, so (N_g, 0)ᵀ𝒮w is constant, and zero in every motion with λ ≠ 0: those live in the complement of 𝒮(N_g, 0).
   Matrix null = Matrix::Zero(2 * n, gyroscopic_null.cols());
@@ -63,7 +71,7 @@ IndefiniteModes indefinite_modes(const NormalForm& form, const Matrix& gyroscopi
     r.w = (v * r.w).eval();
     if (r.left.size() > 0) r.left = (v * r.left).eval();
   }
-  return collected(n, roots, gamma);
+  return collected(form, roots, gamma);
 }
 
 IndefiniteModes resolve_roots(const NormalForm& form, const ComplexVector& lambda, const ComplexMatrix& z) {
@@ -73,7 +81,7 @@ IndefiniteModes resolve_roots(const NormalForm& form, const ComplexVector& lambd
   w.topRows(n) = z;
   w.bottomRows(n) = z * (lambda / gamma).asDiagonal();
   w.colwise().normalize();
-  return collected(n, roots_of(even_pencil(form, gamma), lambda / gamma, w), gamma);
+  return collected(form, roots_of(even_pencil(form, gamma), lambda / gamma, w), gamma);
 }
 
 }  // namespace gyromode::dense

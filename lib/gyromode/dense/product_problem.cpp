@@ -59,16 +59,9 @@ bool resolve_group(const Product& p, const Matrix& basis, std::vector<ProductRoo
   return !found.empty();
 }
 
-std::vector<ProductRoot> roots_of(const Product& p, const Matrix& product, int depth);
-
-// The roots of the small group, solved by themselves in orthonormal bases U and V = Σ⁻¹E_u U of its two halves.
-void resolve_small(const Product& p, const Matrix& u, std::vector<ProductRoot>& roots, int depth) {
-  const Matrix v = orthonormal_basis(velocity(p, u));
-  const Product small = projected(p, u, v);
-  for (ProductRoot& r : roots_of(small, product_matrix(small), depth + 1)) roots.push_back({r.mu, u * r.u});
-}
-
-std::vector<ProductRoot> roots_of(const Product& p, const Matrix& product, int depth) {
+// One level: `p` is `whole` in the bases `u` and `v` of its halves (`whole` itself where they are empty). Roots far below the largest are solved again by themselves, in orthonormal bases U and V = Σ⁻¹E_u U of
+// their halves, in which the whole problem is projected, not this one: what is small in it keeps its digits.
+std::vector<ProductRoot> roots_of(const Product& whole, const Product& p, const Matrix& u, const Matrix& product, int depth) {
   constexpr double small_ratio = 1e-4;  // in μ = ω²
   constexpr double close_ratio = 1e-9;
   constexpr int deepest = 12;
@@ -86,7 +79,14 @@ std::vector<ProductRoot> roots_of(const Product& p, const Matrix& product, int d
       for (const Index i : group) roots.push_back({e.values(i), e.vectors.col(i)});  // defective: the plain roots
     }
   }
-  if (!small.empty()) resolve_small(p, real_basis(e.vectors, e.values, small), roots, depth);
+  if (u.size() > 0) {
+    for (ProductRoot& r : roots) r.u = (u * r.u).eval();
+  }
+  if (small.empty()) return roots;
+  const Matrix part = real_basis(e.vectors, e.values, small);
+  const Matrix inner_u = u.size() > 0 ? orthonormal_basis(lapack::multiply(u, part)) : part;
+  const Product inner = projected(whole, inner_u, orthonormal_basis(velocity(whole, inner_u)));
+  for (ProductRoot& r : roots_of(whole, inner, inner_u, product_matrix(inner), depth + 1)) roots.push_back(std::move(r));
   return roots;
 }
 
@@ -103,6 +103,6 @@ Product projected(const Product& p, const Matrix& u, const Matrix& v) {
   return small;
 }
 
-std::vector<ProductRoot> roots_of(const Product& p, const Matrix& product) { return roots_of(p, product, 0); }
+std::vector<ProductRoot> roots_of(const Product& p, const Matrix& product) { return roots_of(p, p, Matrix(), product, 0); }
 
 }  // namespace gyromode::dense

@@ -127,11 +127,17 @@ bool resolve_one(const Upper& u, Index i, std::vector<EvenRoot>& roots) {
 
 // A group whose projection has lost its roots, as a defective one off the axis does: the plain roots, one of each quadruple.
 void keep_plain(const Upper& u, const std::vector<Index>& group, std::vector<EvenRoot>& roots) {
+  std::vector<bool> taken(group.size(), false);
   for (const Index i : group) {
     if (!(u.lambda(i).real() > 0)) continue;
-    Index partner = i;
-    (u.lambda.array() + std::conj(u.lambda(i))).abs().minCoeff(&partner);
-    roots.push_back({u.lambda(i), u.w.col(i), u.w.col(partner)});
+    std::size_t partner = group.size();
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const auto distance = [&](std::size_t at) { return std::abs(u.lambda(group[at]) + std::conj(u.lambda(i))); };
+      if (!taken[k] && (partner == group.size() || distance(k) < distance(partner))) partner = k;
+    }
+    if (partner == group.size()) continue;
+    taken[partner] = true;
+    roots.push_back({u.lambda(i), u.w.col(i), u.w.col(group[partner])});
   }
 }
 
