@@ -187,12 +187,12 @@ Assessment assess(const Impedance& h, dense::Spectrum& s) {
 
 Assessment measure(const Impedance& h, dense::Spectrum& s) {
   Assessment a = measured(h, s, products(h, s));
-  a.unstable = measure_unstable(h, s.unstable, characteristic_products(h, s.unstable.right));
+  a.unstable = measure_unstable(h, s.unstable, dense::characteristic_products(h, s.unstable.right));
   return a;
 }
 
 Assessment::Unstable assess_unstable(const Impedance& h, dense::Spectrum& s) {
-  const CharacteristicProducts p = characteristic_products(h, s.unstable.right);
+  const dense::CharacteristicProducts p = dense::characteristic_products(h, s.unstable.right);
   correct_unstable(s.unstable, p);
   return measure_unstable(h, s.unstable, p);
 }

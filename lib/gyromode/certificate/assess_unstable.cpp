@@ -1,6 +1,5 @@
 #include "gyromode/certificate/assess_unstable.h"
 
-#include "gyromode/lapack/multiply.h"
 
 #include <Eigen/SVD>
 
@@ -13,39 +12,9 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-ComplexMatrix times(const Matrix& a, const ComplexMatrix& x) {
-  ComplexMatrix y(a.rows(), x.cols());
-  y.real() = lapack::multiply(a, x.real());
-  y.imag() = lapack::multiply(a, x.imag());
-  return y;
-}
-
-ComplexMatrix times_transposed(const Matrix& a, const ComplexMatrix& x) {
-  ComplexMatrix y(a.cols(), x.cols());
-  y.real() = lapack::multiply_tn(a, x.real());
-  y.imag() = lapack::multiply_tn(a, x.imag());
-  return y;
-}
-
 }  // namespace
 
-CharacteristicProducts characteristic_products(const Impedance& h, const ComplexMatrix& x) {
-  if (x.cols() == 0) return {};
-  if (!h.quadrature()) return {times(h.stiffness_rr(), x), times(h.gyroscopic_ri(), x), times(h.mass_rr(), x)};
-  const Index p = h.split();
-  const Index r = h.size() - p;
-  const ComplexMatrix first = x.topRows(p), second = x.bottomRows(r);
-  CharacteristicProducts y{ComplexMatrix(x.rows(), x.cols()), ComplexMatrix(x.rows(), x.cols()), ComplexMatrix(x.rows(), x.cols())};
-  y.k.topRows(p) = times(h.stiffness_rr(), first);
-  y.k.bottomRows(r) = times(h.stiffness_ii(), second);
-  y.g.topRows(p) = times(h.gyroscopic_ri(), second);
-  y.g.bottomRows(r) = -times_transposed(h.gyroscopic_ri(), first);
-  y.m.topRows(p) = times(h.mass_rr(), first);
-  y.m.bottomRows(r) = times(h.mass_ii(), second);
-  return y;
-}
-
-void correct_unstable(dense::UnstableRoots& roots, const CharacteristicProducts& p) {
+void correct_unstable(dense::UnstableRoots& roots, const dense::CharacteristicProducts& p) {
   constexpr int steps = 2;
   for (Index i = 0; i < roots.count(); ++i) {
     const auto y = roots.left.col(i);
@@ -62,7 +31,7 @@ void correct_unstable(dense::UnstableRoots& roots, const CharacteristicProducts&
   }
 }
 
-Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots, const CharacteristicProducts& p) {
+Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots, const dense::CharacteristicProducts& p) {
   const Index u = roots.count();
   Assessment::Unstable a{Vector(u), Vector(u), Vector(u), Vector(u)};
   const double rounding = (2 + std::sqrt(static_cast<double>(h.size()))) * epsilon;
@@ -85,7 +54,7 @@ Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableR
 
 double span_bound(const Impedance& h, const dense::UnstableRoots& roots, const std::vector<Index>& group) {
   const dense::UnstableRoots part = roots.chosen(group);
-  const CharacteristicProducts p = characteristic_products(h, part.right);
+  const dense::CharacteristicProducts p = dense::characteristic_products(h, part.right);
   const Assessment::Unstable a = measure_unstable(h, part, p);
   const Index c = part.count();
   ComplexMatrix gram(c, c);

@@ -1,19 +1,14 @@
 #pragma once
 
 #include "gyromode/certificate/assess.h"
+#include "gyromode/dense/characteristic_products.h"
 
 namespace gyromode {
 
-/// KX, GX and MX for every column of X (n × u, complex), in the order of the impedance.
-struct CharacteristicProducts {
-  ComplexMatrix k, g, m;
-};
-CharacteristicProducts characteristic_products(const Impedance& h, const ComplexMatrix& x);
-
 /// Moves every λ to the root of YᴴN(λ)X = 0 near it, N(λ) = K + λG + λ²M: two steps of Newton's method at most, each a small part of |λ|. A real λ stays real.
-void correct_unstable(dense::UnstableRoots& roots, const CharacteristicProducts& of_right);
+void correct_unstable(dense::UnstableRoots& roots, const dense::CharacteristicProducts& of_right);
 /// What Assessment says of roots off the axis.
-Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots, const CharacteristicProducts& of_right);
+Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots, const dense::CharacteristicProducts& of_right);
 
 /// For roots off the axis at the positions `group`, near each other: a bound on their distance from as many true roots, to first order, from their spans: as of a cluster of modes (Assessment), with the smallest singular
 /// value of [Y_iᴴN′(λ)X_k].

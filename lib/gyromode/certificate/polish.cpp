@@ -1,5 +1,6 @@
 #include "gyromode/certificate/polish.h"
 
+#include "gyromode/dense/correct_shapes.h"
 #include "gyromode/dense/refine.h"
 
 #include <algorithm>
@@ -30,12 +31,35 @@ std::vector<std::vector<Index>> poor_groups(const dense::Spectrum& s, const Asse
   return groups;
 }
 
+// Of a large system all poor shapes are corrected at once, by products; what that leaves poor is refined root by root.
+void correct_at_once(const Impedance& h, dense::Spectrum& s, Assessment& a, double enough) {
+  constexpr int passes = 2;
+  for (int pass = 0; pass < passes; ++pass) {
+    const auto poor = [&](const Vector& residual) {
+      std::vector<Index> at;
+      for (Index i = 0; i < residual.size(); ++i) {
+        if (!(residual(i) <= enough)) at.push_back(i);
+      }
+      return at;
+    };
+    const std::vector<Index> modes = poor(a.own_residual), unstable = poor(a.unstable.own_residual);
+    if (modes.empty() && unstable.empty()) return;
+    dense::Spectrum next = s;
+    dense::correct_shapes(h, next, modes, unstable);
+    Assessment measured = assess(h, next);
+    if (poor(measured.own_residual).size() + poor(measured.unstable.own_residual).size() >= modes.size() + unstable.size()) return;
+    s = std::move(next);
+    a = std::move(measured);
+  }
+}
+
 }  // namespace
 
 void polish(const Impedance& h, dense::Spectrum& s, Assessment& a, Index most) {
   const double n = static_cast<double>(s.size());
   const bool small = s.size() <= 64;  // beyond, what a certificate asks for is enough, and only so many factorisations as a second or two allow
   const double enough = (small ? 1 : 6) * backward_error(s.size());
+  if (!small && h.second_order()) correct_at_once(h, s, a, enough);
   if (!small) most = std::min(most, static_cast<Index>(std::max(4.0, 4e6 / (n * n))));
   constexpr int rounds = 3;  // a refined neighbour shrinks its interval, and a group may fall apart into roots that can be told from each other
   for (int round = 0; round < rounds; ++round) {

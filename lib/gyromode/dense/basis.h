@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/lapack/triangular.h"
 #include "gyromode/lapack/types.h"
 
 #include <Eigen/QR>
@@ -12,6 +13,11 @@ namespace gyromode::dense {
 template <class AnyMatrix>
 AnyMatrix orthonormal_basis(const AnyMatrix& y) {
   return Eigen::HouseholderQR<AnyMatrix>(y).householderQ() * AnyMatrix::Identity(y.rows(), y.cols());
+}
+
+template <>
+inline Matrix orthonormal_basis<Matrix>(const Matrix& y) {
+  return lapack::orthonormal_columns(y);
 }
 
 /// A real orthonormal basis, |group| columns, of the span of the eigenvectors of a real matrix at the positions `group`, which holds the conjugate of every

@@ -3,8 +3,7 @@
 #include "gyromode/dense/basis.h"
 #include "gyromode/dense/root_groups.h"
 #include "gyromode/lapack/multiply.h"
-
-#include <Eigen/LU>
+#include "gyromode/lapack/triangular.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,22 +12,28 @@ namespace gyromode::dense {
 
 namespace {
 
-// A limit within a factor 10 below `limit` that tears no pair or quadruple (roots of equal modulus) apart: the middle of the widest gap there, if it is
-// wide enough; 0 where there is none.
+// A limit below `limit` that tears no pair or quadruple (roots of equal modulus) apart: the middle of the widest gap within a factor 10 below it, if it is wide enough, or of one farther down that is wider than a factor
+// of 100, as between the fast and the slow motions of a strong spin; 0 where there is none.
 double gap_below(const ComplexVector& lambda, double limit) {
   std::vector<double> moduli;
   for (const Complex& z : lambda) moduli.push_back(std::abs(z));
   std::sort(moduli.begin(), moduli.end());
-  double best = 1.01;
-  double place = 0;
-  for (std::size_t i = 0; i + 1 < moduli.size(); ++i) {
+  constexpr double wide = 100;
+  double best = 1.01, widest = wide;
+  double place = 0, wide_place = 0;
+  for (std::size_t i = 0; i + 1 < moduli.size() && moduli[i] <= limit; ++i) {
+    const double above = std::min(moduli[i + 1], limit);
     const double low = std::max(moduli[i], 0.1 * limit);
-    const double high = std::min(moduli[i + 1], limit);
-    if (moduli[i] > limit || !(high > best * low)) continue;
-    best = high / low;
-    place = std::sqrt(low * high);
+    if (above > best * low) {
+      best = above / low;
+      place = std::sqrt(low * above);
+    }
+    if (moduli[i] > 0 && above > widest * moduli[i]) {
+      widest = above / moduli[i];
+      wide_place = std::sqrt(moduli[i]) * std::sqrt(above);
+    }
   }
-  return place;
+  return wide_place > 0 ? wide_place : place;
 }
 
 // For every real root σ > 0 a root −σ, no two the same.
@@ -49,6 +54,30 @@ std::vector<std::pair<Index, Index>> real_pairs(const ComplexVector& lambda, con
     pairs.emplace_back(positive[k], partner);
   }
   return pairs;
+}
+
+// The vectors of a level in the coordinates of the whole, all at once.
+void expand(const Matrix& basis, std::vector<EvenRoot>& roots) {
+  Index lefts = 0;
+  for (const EvenRoot& r : roots) lefts += r.left.size() > 0 ? 1 : 0;
+  const Index count = static_cast<Index>(roots.size());
+  ComplexMatrix inner(basis.cols(), count + lefts);
+  Index at = count;
+  for (Index k = 0; k < count; ++k) {
+    const EvenRoot& r = roots[static_cast<std::size_t>(k)];
+    inner.col(k) = r.w;
+    if (r.left.size() > 0) inner.col(at++) = r.left;
+  }
+  const Matrix re = lapack::multiply(basis, inner.real()), im = lapack::multiply(basis, inner.imag());
+  at = count;
+  for (Index k = 0; k < count; ++k) {
+    EvenRoot& r = roots[static_cast<std::size_t>(k)];
+    r.w = re.col(k) + Complex(0, 1) * im.col(k);
+    if (r.left.size() > 0) {
+      r.left = re.col(at) + Complex(0, 1) * im.col(at);
+      ++at;
+    }
+  }
 }
 
 // One level: `p` is `whole` on the span of `basis` (`whole` itself where that is empty), λ and w its plain eigenpairs. Roots far below the largest are taken again in a basis of their span, on which the whole pencil is
@@ -73,9 +102,7 @@ std::vector<EvenRoot> roots_of(const EvenPencil& whole, const EvenPencil& p, con
   if (small.size() % 2 != 0) return roots_of(whole, p, basis, lambda, w, deepest);  // a pair torn by the limit: everything at this level
   for (const auto& [i, partner] : real_pairs(lambda, real)) roots.push_back({lambda(i), w.col(i), w.col(partner)});
   for (EvenRoot& r : roots_of_groups(p, lambda(upper), w(Eigen::all, upper))) roots.push_back(std::move(r));
-  if (basis.size() > 0) {
-    for (EvenRoot& r : roots) r = {r.lambda, basis * r.w, r.left.size() > 0 ? ComplexVector(basis * r.left) : ComplexVector()};
-  }
+  if (basis.size() > 0) expand(basis, roots);
   if (small.empty()) return roots;
   const Matrix part = real_basis(w, lambda, small);
   const Matrix v = basis.size() > 0 ? orthonormal_basis(lapack::multiply(basis, part)) : part;
@@ -112,7 +139,7 @@ Matrix EvenPencil::e_times(const Matrix& w) const {
 }
 
 lapack::GeneralEigen EvenPencil::plain_eigen() const {
-  if (!second_order_) return lapack::general_eigen(Matrix(-s_.partialPivLu().solve(e_)));
+  if (!second_order_) return lapack::general_eigen(lapack::solve_general(s_, -e_));
   const Index n = s_.rows();
   Matrix a = Matrix::Zero(2 * n, 2 * n);
   a.topRightCorner(n, n).setIdentity();

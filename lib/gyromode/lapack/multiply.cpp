@@ -37,6 +37,23 @@ Matrix multiply(const MatrixView& a, const MatrixView& b) {
   return c;
 }
 
+namespace {
+
+ComplexMatrix complex_product(const ComplexMatrix& a, CBLAS_TRANSPOSE transpose_a, const ComplexMatrix& b) {
+  const Index rows = transpose_a == CblasNoTrans ? a.rows() : a.cols(), inner = b.rows();
+  ComplexMatrix c = ComplexMatrix::Zero(rows, b.cols());
+  if (c.size() == 0 || inner == 0) return c;
+  const Complex one(1), zero(0);
+  cblas_zgemm(CblasColMajor, transpose_a, CblasNoTrans, dimension(rows, "zgemm"), dimension(b.cols(), "zgemm"), dimension(inner, "zgemm"), &one, a.data(), dimension(a.rows(), "zgemm"), b.data(),
+              dimension(b.rows(), "zgemm"), &zero, c.data(), dimension(rows, "zgemm"));
+  return c;
+}
+
+}  // namespace
+
+ComplexMatrix multiply_complex(const ComplexMatrix& a, const ComplexMatrix& b) { return complex_product(a, CblasNoTrans, b); }
+ComplexMatrix multiply_adjoint(const ComplexMatrix& a, const ComplexMatrix& b) { return complex_product(a, CblasConjTrans, b); }
+
 Matrix multiply_tn(const MatrixView& a, const MatrixView& b) {
   Matrix c(a.cols(), b.cols());
   multiply_into(c, 1, a, true, b, false, 0);

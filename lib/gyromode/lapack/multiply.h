@@ -8,6 +8,8 @@ namespace gyromode::lapack {
 Matrix multiply(const MatrixView& a, const MatrixView& b);        ///< A B
 Matrix multiply_tn(const MatrixView& a, const MatrixView& b);     ///< Aᵀ B
 Matrix multiply_nt(const MatrixView& a, const MatrixView& b);     ///< A Bᵀ
+ComplexMatrix multiply_complex(const ComplexMatrix& a, const ComplexMatrix& b);          ///< A B (zgemm)
+ComplexMatrix multiply_adjoint(const ComplexMatrix& a, const ComplexMatrix& b);  ///< Aᴴ B
 /// c := α·op(A)·op(B) + β·c with op the transpose where the flag says so.
 void multiply_into(MatrixSpan c, double alpha, const MatrixView& a, bool transpose_a, const MatrixView& b, bool transpose_b, double beta);
 /// y := y + α·op(A)·x (dgemv).

@@ -78,4 +78,21 @@ Matrix orthogonal_completion(const MatrixView& a) {
   return qr.householderQ() * q;
 }
 
+Matrix orthonormal_columns(Matrix a) {
+  if (a.size() == 0) return a;
+  const int rows = dimension(a.rows(), "dgeqrf"), columns = dimension(a.cols(), "dgeqrf");
+  Vector tau(a.cols());
+  require_success(LAPACKE_dgeqrf(LAPACK_COL_MAJOR, rows, columns, a.data(), rows, tau.data()), "dgeqrf", "");
+  require_success(LAPACKE_dorgqr(LAPACK_COL_MAJOR, rows, columns, columns, a.data(), rows, tau.data()), "dorgqr", "");
+  return a;
+}
+
+Matrix solve_general(Matrix a, Matrix b) {
+  if (b.size() == 0) return b;
+  const int order = dimension(a.rows(), "dgesv");
+  std::vector<int> pivots(static_cast<std::size_t>(a.rows()));
+  require_success(LAPACKE_dgesv(LAPACK_COL_MAJOR, order, dimension(b.cols(), "dgesv"), a.data(), order, pivots.data(), b.data(), order), "dgesv", "a pivot is exactly zero");
+  return b;
+}
+
 }  // namespace gyromode::lapack

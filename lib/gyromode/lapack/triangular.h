@@ -32,4 +32,10 @@ Matrix congruence(const MatrixView& l, Matrix a);
 /// An orthogonal n × n matrix whose first columns span the columns of `a` (n × r, r ≤ n, full rank; Householder QR).
 Matrix orthogonal_completion(const MatrixView& a);
 
+/// Orthonormal columns (n × r) that span those of `a` (n × r, r ≤ n, full rank; dgeqrf, dorgqr).
+Matrix orthonormal_columns(Matrix a);
+
+/// A⁻¹ b, A n × n general, b n × m (dgesv). Throws Failure where A is singular to the last bit.
+Matrix solve_general(Matrix a, Matrix b);
+
 }  // namespace gyromode::lapack
