@@ -3,6 +3,7 @@
 
 #include <Eigen/SVD>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -34,6 +35,8 @@ void correct_unstable(dense::UnstableRoots& roots, const dense::CharacteristicPr
 Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots, const dense::CharacteristicProducts& p) {
   const Index u = roots.count();
   Assessment::Unstable a{Vector(u), Vector(u), Vector(u), Vector(u)};
+  // With a partition Y is X̄ but for signs, and its residual that of X.
+  const dense::CharacteristicProducts of_left = h.quadrature() ? dense::CharacteristicProducts{} : dense::characteristic_products(h, roots.left);
   const double rounding = (2 + std::sqrt(static_cast<double>(h.size()))) * epsilon;
   for (Index i = 0; i < u; ++i) {
     const Complex lambda = roots.lambda[static_cast<std::size_t>(i)];
@@ -42,10 +45,15 @@ Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableR
     const auto x = roots.right.col(i), y = roots.left.col(i);
     const Vector weight = h.weight(size);
     const double slope = std::abs(y.dot(p.g.col(i) + 2.0 * lambda * p.m.col(i)));
+    const auto in_own_scale = [&](const ComplexVector& residual, double own) { return std::sqrt((weight.array() > 0).select(residual.cwiseAbs2().cwiseQuotient(weight), 0).sum() / own); };
     const double own_x = weight.dot(x.cwiseAbs2()), own_y = weight.dot(y.cwiseAbs2());
     const double own_scale = std::sqrt(own_x * own_y);
     a.residual(i) = h.given_residual(r, x, size);
-    a.own_residual(i) = std::sqrt((weight.array() > 0).select(r.cwiseAbs2().cwiseQuotient(weight), 0).sum() / own_x);
+    a.own_residual(i) = in_own_scale(r, own_x);
+    if (!h.quadrature()) {
+      const Complex mirrored = -std::conj(lambda);
+      a.own_residual(i) = std::max(a.own_residual(i), in_own_scale(of_left.k.col(i) + mirrored * of_left.g.col(i) + (mirrored * mirrored) * of_left.m.col(i), own_y));
+    }
     a.error_bound(i) = (y.cwiseAbs().dot(r.cwiseAbs()) + rounding * own_scale) / slope;
     a.sensitivity(i) = own_scale / slope;
   }

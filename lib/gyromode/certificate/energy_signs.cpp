@@ -57,9 +57,12 @@ std::optional<Index> jump(const Impedance& h, const dense::Spectrum& s, const As
   const double before = first > 0 ? s.omega(first - 1) + movement(s, a, first - 1) : 0;
   const double after = last + 1 < s.omega.size() ? s.omega(last + 1) - movement(s, a, last + 1) : 2 * s.omega(last);
   if (!(before < s.omega(first)) || !(after > s.omega(last))) return std::nullopt;
-  for (double factor = 4; factor <= 4096; factor *= 8) {
-    const double below = std::max(s.omega(first) - factor * movement(s, a, first), 0.5 * (before + s.omega(first)));
-    const double above = std::min(s.omega(last) + factor * movement(s, a, last), 0.5 * (after + s.omega(last)));
+  const double lowest = 0.5 * (before + s.omega(first)), highest = 0.5 * (after + s.omega(last));
+  const double most = s.size() <= 64 ? 1e15 : 4096;  // near a root of high defect H is singular far beyond what first order tells
+  double below = s.omega(first), above = s.omega(last);
+  for (double factor = 4; factor <= most && (below > lowest || above < highest); factor *= 8) {
+    below = std::max(s.omega(first) - factor * movement(s, a, first), lowest);
+    above = std::min(s.omega(last) + factor * movement(s, a, last), highest);
     const Inertia low = h.negative_at(below);
     const Inertia high = h.negative_at(above);
     if (!low.doubtful() && !high.doubtful()) return high.negative - low.negative;

@@ -162,13 +162,15 @@ bool independent_off_axis(const Impedance& h, const dense::Spectrum& s, const Su
 }  // namespace
 
 Exhibits exhibited(const Impedance& h, const dense::Spectrum& s, Assessment& a) {
+  const double rounding = 30 * static_cast<double>(std::max<Index>(s.size(), 2)) * std::numeric_limits<double>::epsilon();
   Exhibits e;
   e.unstable.assign(static_cast<std::size_t>(s.unstable.count()), true);
   const std::vector<Disc> discs = discs_of(s, a);
   for (const auto& group : touching(discs)) {
-    if (group.size() == 1 && stands_alone(discs[group[0]])) continue;
+    const bool at_rounding = std::all_of(group.begin(), group.end(), [&](std::size_t i) { return discs[i].mode || a.unstable.own_residual(discs[i].at) <= rounding; });
+    if (at_rounding && group.size() == 1 && stands_alone(discs[group[0]])) continue;
     const Surroundings near = around(discs, group);
-    if (group.size() > 1 && (independent(near, discs, group, a) || independent_off_axis(h, s, near, discs, group, a))) continue;
+    if (at_rounding && group.size() > 1 && (independent(near, discs, group, a) || independent_off_axis(h, s, near, discs, group, a))) continue;
     double spread = 0;
     for (const std::size_t i : group) spread = std::max(spread, std::abs(discs[i].centre - near.centre));
     if (const auto radius = counted(h, near, spread)) {

@@ -4,6 +4,7 @@
 #include "gyromode/system/scale.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace gyromode::dense {
@@ -25,9 +26,9 @@ Equilibrated factored(const Impedance& h, Complex lambda) {
 
 }  // namespace
 
-NullPair null_pair(const Impedance& h, Complex lambda) {
-  const Equilibrated f = factored(h, lambda);
-  const Index n = h.size();
+namespace {
+
+NullPair iterated(const Equilibrated& f, Index n) {
   ComplexVector start(n);  // no structure makes it orthogonal to a null vector
   for (Index i = 0; i < n; ++i) start(i) = std::polar(1.0, 0.7 + 1.9 * static_cast<double>(i * i % 97));
   NullPair v{start, start};
@@ -37,6 +38,20 @@ NullPair null_pair(const Impedance& h, Complex lambda) {
   }
   v.right = (f.d.asDiagonal() * v.right).normalized().eval();
   v.left = (f.d.asDiagonal() * v.left).normalized().eval();
+  return v;
+}
+
+}  // namespace
+
+NullPair null_pair(const Impedance& h, Complex lambda) {
+  NullPair v = iterated(factored(h, lambda), h.size());
+  // A matrix that is singular to the last bit has no inverse to iterate with; one rounding error away it has.
+  for (double shift = 2 * std::numeric_limits<double>::epsilon(); shift < 1e-12 && !(v.right.allFinite() && v.left.allFinite()); shift *= 8) {
+    const Vector d = scale_at(h, std::abs(lambda));
+    ComplexMatrix n = scaled(h.characteristic_at(lambda), d);
+    n.diagonal().array() += shift;
+    v = iterated({d, lapack::ComplexLu(std::move(n))}, h.size());
+  }
   return v;
 }
 

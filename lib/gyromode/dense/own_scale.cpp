@@ -124,8 +124,7 @@ void add_modes(const Impedance& h, std::vector<double> omega, Spectrum& s) {
 
 void add_unstable(const Impedance& h, const std::vector<Complex>& roots, Spectrum& s) {
   for (const Complex& lambda : roots) {
-    NullPair v = null_pair(h, lambda);
-    if (!v.right.allFinite() || !v.left.allFinite()) v = null_pair(h, lambda * (1 + 8 * std::numeric_limits<double>::epsilon()));
+    const NullPair v = null_pair(h, lambda);
     s.unstable.add(lambda, v.right, v.left);
   }
 }

@@ -18,6 +18,12 @@ std::string_view word(Sign sign) {
   }
 }
 
+Json shape_json(const Model& model, const ComplexVector& shape) {
+  const Vector re = shape.real();
+  const Vector im = shape.imag();
+  return {{"labels", model.labels()}, {"re", std::vector<double>(re.begin(), re.end())}, {"im", std::vector<double>(im.begin(), im.end())}};
+}
+
 Json mode_json(const Model& model, const Mode& m) {
   Json j;
   j["omega"] = m.omega;
@@ -29,11 +35,7 @@ Json mode_json(const Model& model, const Mode& m) {
   j["error_bound"] = number(m.error_bound);
   if (m.cluster > 1) j["cluster"] = m.cluster;
   if (m.bracket) j["bracket"] = *m.bracket;
-  if (m.shape.size() > 0) {
-    const Vector re = m.shape.real();
-    const Vector im = m.shape.imag();
-    j["shape"] = {{"labels", model.labels()}, {"re", std::vector<double>(re.begin(), re.end())}, {"im", std::vector<double>(im.begin(), im.end())}};
-  }
+  if (m.shape.size() > 0) j["shape"] = shape_json(model, m.shape);
   if (!m.field.empty()) {
     // In the order of the points of "geometry".
     Json re = Json::array(), im = Json::array();
@@ -107,9 +109,13 @@ Json modes_array(const Model& model, const std::vector<Mode>& modes) {
   return all;
 }
 
-Json unstable_array(const std::vector<UnstableMode>& modes) {
+Json unstable_array(const Model& model, const std::vector<UnstableMode>& modes) {
   Json all = Json::array();
-  for (const UnstableMode& u : modes) all.push_back({{"growth_rate", u.growth_rate}, {"omega", u.omega}, {"kind", u.flutter() ? "flutter" : "divergence"}});
+  for (const UnstableMode& u : modes) {
+    Json j{{"growth_rate", u.growth_rate}, {"omega", u.omega}, {"kind", u.flutter() ? "flutter" : "divergence"}, {"residual", number(u.residual)}, {"error_bound", number(u.error_bound)}};
+    if (u.shape.size() > 0) j["shape"] = shape_json(model, u.shape);
+    all.push_back(std::move(j));
+  }
   return all;
 }
 

@@ -23,7 +23,7 @@ Json head(std::string_view schema, const Model& model, const Timings& timings);
 Json structure_facts(const Model& model, const Structure& s, const Stiffness& k, bool has_stiffness);
 Json balance_json(const IndexBalance& b);
 Json modes_array(const Model& model, const std::vector<Mode>& modes);
-Json unstable_array(const std::vector<UnstableMode>& modes);
+Json unstable_array(const Model& model, const std::vector<UnstableMode>& modes);
 std::string text(const Json& j);
 
 }  // namespace gyromode::io

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace gyromode::io {
@@ -15,7 +16,7 @@ double hertz(double omega) { return omega / (2 * std::numbers::pi); }
 }  // namespace
 
 std::string modes_csv(const Model& model, const ModesResult& r) {
-  const bool shapes = !r.modes.empty() && r.modes.front().shape.size() > 0;
+  const bool shapes = (!r.modes.empty() && r.modes.front().shape.size() > 0) || (!r.unstable.empty() && r.unstable.front().shape.size() > 0);
   std::string out = "omega,frequency_hz,growth_rate,kind,energy_sign,multiplicity,residual,error_bound";
   if (shapes) {
     for (const std::string& label : model.labels()) out += fmt::format(",{},{}", csv_field(label + " re"), csv_field(label + " im"));
@@ -27,8 +28,10 @@ std::string modes_csv(const Model& model, const ModesResult& r) {
     out += "\n";
   }
   for (const UnstableMode& u : r.unstable) {
-    out += fmt::format("{},{},{},{},,1,,", u.omega, hertz(u.omega), u.growth_rate, u.flutter() ? "flutter" : "divergence");
-    if (shapes) out += std::string(static_cast<std::size_t>(2 * model.size()), ',');
+    const auto measured = [](double x) { return std::isfinite(x) ? fmt::format("{}", x) : std::string(); };
+    out += fmt::format("{},{},{},{},,1,{},{}", u.omega, hertz(u.omega), u.growth_rate, u.flutter() ? "flutter" : "divergence", measured(u.residual), measured(u.error_bound));
+    for (const Complex& z : u.shape) out += fmt::format(",{},{}", z.real(), z.imag());
+    if (shapes && u.shape.size() == 0) out += std::string(static_cast<std::size_t>(2 * model.size()), ',');
     out += "\n";
   }
   return out;

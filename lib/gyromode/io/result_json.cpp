@@ -34,7 +34,7 @@ std::string modes_json(const Model& model, const ModesResult& r, const Timings& 
                    {"counted", c.counted ? Json(*c.counted) : Json(nullptr)}};
   if (!c.reason.empty()) j["coverage"]["reason"] = c.reason;
   j["modes"] = modes_array(model, r.modes);
-  j["unstable"] = unstable_array(r.unstable);
+  j["unstable"] = unstable_array(model, r.unstable);
   j["geometry"] = geometry(r);  // a matrix model has none
   return text(j);
 }

@@ -40,7 +40,7 @@ std::string stability_json(const Model& model, const StabilityReport& report, co
   Json j = head("gyromode/stability/1", model, timings);
   j["stability"] = gyromode::word(r.stability);
   j["index_balance"] = balance_json(r.index_balance);
-  j["unstable"] = unstable_array(r.unstable);
+  j["unstable"] = unstable_array(model, r.unstable);
   j["negative_modes"] = modes_array(model, r.negative_modes);
   j["margin"] = {{"opposite_sign_gap", number(r.opposite_gap)}, {"opposite_pair", report.opposite ? Json(*report.opposite) : Json(nullptr)},
                  {"stiffness", report.stiffness ? Json(*report.stiffness) : Json(nullptr)}};

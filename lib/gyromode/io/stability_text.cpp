@@ -32,9 +32,9 @@ std::string negative_table(const Model& model, const std::vector<Mode>& modes, F
 }
 
 std::string growing_table(const Model& model, const std::vector<UnstableMode>& modes, Format format) {
-  Grid grid({"growth rate [1/s]", "ω [rad/s]", "kind", "largest in"});
+  Grid grid({"growth rate [1/s]", "ω [rad/s]", "error bound", "kind", "largest in"});
   for (const UnstableMode& u : modes) {
-    grid.add({fmt::format("{:.15g}", u.growth_rate), fmt::format("{:.15g}", u.omega), u.flutter() ? "flutter" : "divergence", largest_in(model, u.shape)});
+    grid.add({fmt::format("{:.15g}", u.growth_rate), fmt::format("{:.15g}", u.omega), measured(u.error_bound), u.flutter() ? "flutter" : "divergence", largest_in(model, u.shape)});
   }
   return written(grid, format);
 }

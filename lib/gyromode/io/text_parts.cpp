@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace gyromode::io {
@@ -91,10 +92,12 @@ std::string frequency_table(const std::vector<Mode>& modes, Format format) {
   return written(grid, format);
 }
 
+std::string measured(double x) { return std::isfinite(x) ? fmt::format("{:.1e}", x) : "–"; }
+
 std::string unstable_table(const std::vector<UnstableMode>& modes, Format format) {
-  Grid grid({"growth rate [1/s]", "ω [rad/s]", "kind"});
+  Grid grid({"growth rate [1/s]", "ω [rad/s]", "residual", "error bound", "kind"});
   for (const UnstableMode& u : modes) {
-    grid.add({fmt::format("{:.15g}", u.growth_rate), fmt::format("{:.15g}", u.omega), u.flutter() ? "flutter" : "divergence"});
+    grid.add({fmt::format("{:.15g}", u.growth_rate), fmt::format("{:.15g}", u.omega), measured(u.residual), measured(u.error_bound), u.flutter() ? "flutter" : "divergence"});
   }
   return written(grid, format);
 }

@@ -26,6 +26,8 @@ std::string window_words(const Window& w);
 std::string balance_words(const IndexBalance& b);
 std::string complex_cell(const Complex& z);
 std::string frequency_table(const std::vector<Mode>& modes, Format format);
+/// A residual or an error bound; a dash where it was not measured.
+std::string measured(double x);
 std::string unstable_table(const std::vector<UnstableMode>& modes, Format format);
 
 }  // namespace gyromode::io
