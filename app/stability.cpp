@@ -120,7 +120,7 @@ int run(const Options& o) {
   if (!axes.empty()) report.map = mapped(o, axes, report.varied);
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
   if (report.result.stability != Stability::unknown) return done;
-  o.output.say("the verdict is unknown: the index balance does not close");
+  o.output.say(fmt::format("the verdict is unknown: {}", report.result.coverage.reason));
   return not_certified;
 }
 

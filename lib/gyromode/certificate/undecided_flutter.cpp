@@ -96,7 +96,7 @@ bool part_double_divergence(dense::Spectrum& s, const Assessment& a) {
     const Complex lambda = s.unstable.lambda[static_cast<std::size_t>(k)];
     const ComplexVector x = s.unstable.right.col(k), y = s.unstable.left.col(k);
     const double movement = std::max(backward_error(s.size()) * a.unstable.sensitivity(k), 2 * a.unstable.error_bound(k));
-    constexpr double near_defective = 32;  // there the first order of a root that has moved already is too small
+    constexpr double near_defective = 2;  // there a root that has moved by rounding already has half the sensitivity
     if (lambda.imag() == 0 || lambda.imag() > near_defective * movement || lambda.real() <= movement) {
       parted.add(lambda, x, y);
     } else {
