@@ -13,7 +13,7 @@ namespace gyromode::bench {
 
 /// One interleaved run. Ratios are those of the first contestant, ours, to each of the others.
 struct Row {
-  std::string key;    ///< "a" … "g"
+  std::string key;    ///< "a" … "i"
   std::string title;  ///< the system and its order
   std::string path;   ///< what gyromode says of the solver it took
   double others = 0;  ///< share of the processors that other processes used meanwhile: what to distrust a row for
@@ -39,5 +39,7 @@ std::vector<Row> certificate_rows(const RowOptions& options);  ///< d
 std::vector<Row> process_rows(const RowOptions& options);      ///< e
 std::vector<Row> spacecraft_rows(const RowOptions& options);   ///< f
 std::vector<Row> hidden_rows(const RowOptions& options);       ///< g
+std::vector<Row> certified_rows(const RowOptions& options);    ///< h
+std::vector<Row> growth_rows(const RowOptions& options);       ///< i
 
 }  // namespace gyromode::bench

@@ -6,6 +6,8 @@
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/system/promise.h"
 
+#include <Eigen/QR>
+
 #include <cmath>
 #include <random>
 
@@ -120,5 +122,45 @@ System quadrature_indefinite(Index n, Balance balance, std::uint64_t seed) {
 }
 
 Matrix random_symmetric(Index n, std::uint64_t seed) { return symmetric_part(Source(seed).gaussian(n, n)); }
+
+System general_indefinite(Index n, Regime regime, std::uint64_t seed) {
+  std::mt19937_64 bits(seed);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> size(0.5, 2);
+  const auto gaussian_matrix = [&](Index rows) {
+    Matrix a(rows, rows);
+    for (double& x : a.reshaped()) x = normal(bits);
+    return a;
+  };
+  const auto orthogonal_matrix = [&](Index rows) { return Matrix(Eigen::HouseholderQR<Matrix>(gaussian_matrix(rows)).householderQ()); };
+  const Index own = regime == Regime::copies ? n / 2 : n;
+  Vector d(own);
+  for (Index i = 0; i < own; ++i) d(i) = size(bits) * (i < own / 10 ? -1 : 1) * (regime == Regime::graded ? std::pow(10.0, 8.0 * static_cast<double>(i) / static_cast<double>(own)) : 1);
+  const Matrix q = orthogonal_matrix(own);
+  Matrix k = symmetric_part(q * d.asDiagonal() * q.transpose());
+  Matrix g = gaussian_matrix(own);
+  g = (g - g.transpose()).eval() / std::sqrt(2.0 * static_cast<double>(own)) * (regime == Regime::spin20 ? 20 : regime == Regime::huge ? 1e6 : 1);
+  Matrix m = Matrix::Identity(n, n);
+  if (regime == Regime::copies) {
+    const Matrix t = orthogonal_matrix(n);
+    const auto twice = [&](const Matrix& a) {
+      Matrix b = Matrix::Zero(n, n);
+      b.topLeftCorner(own, own) = b.bottomRightCorner(own, own) = a;
+      return Matrix(t * b * t.transpose());
+    };
+    k = symmetric_part(twice(k));
+    g = skew_part(twice(g));
+  }
+  if (regime == Regime::mixed) {
+    std::uniform_int_distribution<int> exponent(-20, 20);
+    Vector unit(n);
+    for (double& x : unit) x = std::ldexp(1.0, exponent(bits));
+    const auto mixed = [&](const Matrix& a) { return Matrix(unit.asDiagonal() * a * unit.asDiagonal()); };
+    m = mixed(m);
+    g = mixed(g);
+    k = mixed(k);
+  }
+  return System(m, g, k);
+}
 
 }  // namespace gyromode::bench

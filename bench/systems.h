@@ -26,6 +26,19 @@ enum class Balance {
 /// condition √1000, M_i = S_iᵀS_i, K_i = S_iᵀ diag(k_i) S_i, B = S₁ᵀ diag(b) S₂: dense, and of known roots.
 System quadrature_indefinite(Index n, Balance balance, std::uint64_t seed);
 
+/// What makes an indefinite system without a partition hard.
+enum class Regime {
+  plain,
+  spin20,   ///< G twenty times as large
+  huge,     ///< G 10⁶ times as large
+  graded,   ///< K over eight decades
+  mixed,    ///< every coordinate in a unit of its own, 2⁻²⁰ … 2²⁰
+  copies    ///< two copies of one system of order n/2, in orthogonal coordinates that hide it
+};
+
+/// M = 1, K with |eigenvalues| in [½, 2] and a tenth of them negative, in random orthogonal coordinates, G Gaussian and skew with entries of variance 1/n: no partition, divergence and flutter.
+System general_indefinite(Index n, Regime regime, std::uint64_t seed);
+
 /// A symmetric matrix of order n with Gaussian entries.
 Matrix random_symmetric(Index n, std::uint64_t seed);
 

@@ -1,7 +1,5 @@
 #include "campaign/truth.h"
 
-#include "reference/high_precision.h"
-
 #include "gyromode/structure/structure.h"
 
 #include <fmt/format.h>
@@ -14,15 +12,6 @@ namespace gyromode::support {
 namespace {
 
 constexpr double epsilon = 2.220446049250313e-16;
-
-Stability of_twin(reference::Spectrum::Verdict v) {
-  switch (v) {
-    case reference::Spectrum::Verdict::stable: return Stability::stable;
-    case reference::Spectrum::Verdict::gyroscopically_stabilised: return Stability::gyroscopically_stabilised;
-    case reference::Spectrum::Verdict::marginal: return Stability::marginal;
-    default: return Stability::unstable;
-  }
-}
 
 // The bound of a claim, and what writing the truth and the answer as doubles may differ by.
 double allowed(double bound, double value) { return bound + 2 * epsilon * std::abs(value); }
@@ -86,6 +75,15 @@ void compare_window(const ModesResult& r, const Truth& t, Faults& f) {
 
 }  // namespace
 
+Stability stability_of(reference::Spectrum::Verdict v) {
+  switch (v) {
+    case reference::Spectrum::Verdict::stable: return Stability::stable;
+    case reference::Spectrum::Verdict::gyroscopically_stabilised: return Stability::gyroscopically_stabilised;
+    case reference::Spectrum::Verdict::marginal: return Stability::marginal;
+    default: return Stability::unstable;
+  }
+}
+
 Truth truth_of(const HostileSystem& h) {
   Truth t;
   const System base(h.base.mass, h.base.gyroscopic, h.base.stiffness);
@@ -96,7 +94,7 @@ Truth truth_of(const HostileSystem& h) {
     for (std::size_t i = 0; i < s.omega.size(); ++i) t.modes.push_back({h.time_unit * s.omega[i], s.energy_sign[i]});
     for (const double sigma : s.divergence) t.divergence.push_back(h.time_unit * sigma);
     for (const auto& [sigma, omega] : s.flutter) t.flutter.emplace_back(h.time_unit * sigma, h.time_unit * omega);
-    t.stability = std::max(t.stability, of_twin(s.verdict));
+    t.stability = std::max(t.stability, stability_of(s.verdict));
     t.distance = std::min(t.distance, s.distance);
   }
   std::stable_sort(t.modes.begin(), t.modes.end(), [](const auto& a, const auto& b) { return a.omega < b.omega; });

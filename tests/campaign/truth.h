@@ -3,6 +3,7 @@
 #include "campaign/hostile_system.h"
 
 #include "gyromode/modes/result.h"
+#include "reference/high_precision.h"
 
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ struct Truth {
   double distance = 1;                             ///< of the verdict from another one, see reference::Spectrum
 };
 Truth truth_of(const HostileSystem& h);
+
+/// The verdict of the 100-digit twin in our words.
+Stability stability_of(reference::Spectrum::Verdict v);
 
 /// How an answer compares with the truth. Everything but `refused` is a false claim.
 struct Faults {

@@ -1,6 +1,6 @@
 // Random systems of every class (support/random_system.h): found = counted, residuals at rounding, and the verdict of a 100-digit twin.
 // GYROMODE_RANDOM_SYSTEMS sets how many (10 000; 100 000 with ./check --full).
-#include "reference/high_precision.h"
+#include "campaign/truth.h"
 #include "support/random_system.h"
 
 #include "gyromode/modes/modes.h"
@@ -46,15 +46,6 @@ TEST(RandomSystems, FoundIsCountedAndResidualsAreRounding) {
   EXPECT_LE(uncertified, 1 + wanted() / 10000);
 }
 
-Stability of_twin(reference::Spectrum::Verdict v) {
-  switch (v) {
-    case reference::Spectrum::Verdict::stable: return Stability::stable;
-    case reference::Spectrum::Verdict::gyroscopically_stabilised: return Stability::gyroscopically_stabilised;
-    case reference::Spectrum::Verdict::marginal: return Stability::marginal;
-    default: return Stability::unstable;
-  }
-}
-
 // The twin works on the exact matrices, without a tolerance: it is asked wherever the verdict is not K > 0, and must agree where it is farther from
 // another verdict than rounding can move it (√ε for roots that meet). Zero modes of a component with K ≥ 0 are rigid for us whatever the other
 // components do; the twin does not look at components.
@@ -67,7 +58,7 @@ TEST(RandomSystems, VerdictOfTheTwin) {
     const reference::Spectrum twin = reference::spectrum(drawn.mass, drawn.gyroscopic, drawn.stiffness);
     if (twin.distance < 1e-6) continue;
     ++compared;
-    EXPECT_EQ(r.stability, of_twin(twin.verdict)) << drawn.description << ", distance " << twin.distance;
+    EXPECT_EQ(r.stability, support::stability_of(twin.verdict)) << drawn.description << ", distance " << twin.distance;
     EXPECT_EQ(r.unstable.size(), twin.divergence.size() + twin.flutter.size()) << drawn.description;
   }
   EXPECT_GT(compared, wanted() / 20);

@@ -86,8 +86,10 @@ Verdict judge(const Impedance& h, dense::Spectrum& s, Assessment& a) {
   v.gap = signs.gap;
   if (h.second_order()) {
     v.balance = balance_of(s, signs);
-    Exhibits shown;  // with K ≥ 0 there is nothing off the axis, and counts are plain counts
-    if (s.stiffness_negative > 0) shown = exhibited(h, s, a);
+    // With K ≥ 0 there is nothing off the axis, counts are plain counts and shapes orthogonal: in a large system that is enough.
+    constexpr Index costs_nothing = 64;
+    Exhibits shown;
+    if (s.stiffness_negative > 0 || s.size() <= costs_nothing) shown = exhibited(h, s, a);
     v.unstable_shown = shown.unstable;
     v.unstable_shown.resize(static_cast<std::size_t>(s.unstable.count()), false);
     v.reason = open_reason(s, v.balance, shown);

@@ -5,6 +5,7 @@
 
 #include <Eigen/QR>
 
+#include <cmath>
 #include <vector>
 
 namespace gyromode::dense {
@@ -30,5 +31,13 @@ inline Matrix real_basis(const ComplexMatrix& vectors, const ComplexVector& valu
   }
   return orthonormal_basis(span);
 }
+
+/// Coefficients y of a real basis, real up to a phase, made real; those of a complex basis as they are. The second argument says which.
+inline Vector coefficients(const ComplexVector& y, const Matrix&) {
+  Index largest = 0;
+  y.cwiseAbs().maxCoeff(&largest);
+  return (y * std::conj(y(largest)) / std::abs(y(largest))).real();
+}
+inline ComplexVector coefficients(const ComplexVector& y, const ComplexMatrix&) { return y; }
 
 }  // namespace gyromode::dense

@@ -23,14 +23,6 @@ ComplexMatrix at(const Impedance& h, double omega, const ComplexMatrix&) { retur
 Matrix slope_at(const Impedance& h, double omega, const Matrix&) { return h.real_slope_at(omega); }
 ComplexMatrix slope_at(const Impedance& h, double omega, const ComplexMatrix&) { return h.complex_slope_at(omega); }
 
-// Coefficients of a real basis are real up to a phase.
-Vector real_if_real(const ComplexVector& y, const Matrix&) {
-  Index largest = 0;
-  y.cwiseAbs().maxCoeff(&largest);
-  return (y * std::conj(y(largest)) / std::abs(y(largest))).real();
-}
-ComplexVector real_if_real(const ComplexVector& y, const ComplexMatrix&) { return y; }
-
 // Fixed columns without structure.
 template <class AnyMatrix>
 AnyMatrix start(Index n, Index columns) {
@@ -58,7 +50,7 @@ void resolve(const Impedance& h, Eigen::Ref<Vector> omega, AnyMatrix& x) {
   for (Index k = 0; k < omega.size(); ++k) {
     const PencilRoot& r = roots[static_cast<std::size_t>(k)];
     omega(k) = sigma + r.value.real();
-    shapes.col(k) = (x * real_if_real(r.y, AnyMatrix())).normalized();
+    shapes.col(k) = (x * coefficients(r.y, AnyMatrix())).normalized();
   }
   x = std::move(shapes);
 }

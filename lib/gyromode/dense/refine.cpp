@@ -55,14 +55,6 @@ double largest_step(const std::vector<PencilRoot>& roots) {
   return step;
 }
 
-// The part of y that multiplies a real basis, up to a phase.
-Vector coefficients(const ComplexVector& y, const Matrix&) {
-  Index largest = 0;
-  y.cwiseAbs().maxCoeff(&largest);
-  return (y * std::conj(y(largest)) / std::abs(y(largest))).real();
-}
-ComplexVector coefficients(const ComplexVector& y, const ComplexMatrix&) { return y; }
-
 // A matrix that is singular to the last bit has no inverse to iterate with; one rounding error away it has.
 template <class AnyMatrix>
 AnyMatrix shifted_by_rounding(const AnyMatrix& h, int attempt) {
