@@ -12,7 +12,12 @@ class EnergyNorm {
  public:
   EnergyNorm(const ComponentMatrices& m, const SolvedComponent& component);
 
-  double operator()(const State& w) const { return coordinates(w).stableNorm(); }
+  /// No square of it underflows or overflows where it does not.
+  double operator()(const State& w) const {
+    const Vector x = coordinates(w);
+    const double largest = x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0;
+    return largest > 0 ? largest * (x / largest).norm() : largest;
+  }
   Vector coordinates(const State& w) const;
   State state(const Vector& x) const;
   /// M⁻¹f.

@@ -8,6 +8,7 @@ namespace {
 
 template <class AnyMatrix>
 Vector equilibrate(const AnyMatrix& a) {
+  if (a.rows() == 0) return Vector();
   constexpr int sweeps = 5;  // each sweep takes the square root of the imbalance
   Matrix size = a.cwiseAbs();
   Vector d = Vector::Ones(a.rows());
