@@ -7,8 +7,9 @@ namespace {
 Index position_of_largest(const ComplexVector& x) {
   const Vector size = x.cwiseAbs();
   constexpr double tie = 1e-12;
+  const double least = (1 - tie) * size.maxCoeff();
   Index at = 0;
-  while (size(at) < (1 - tie) * size.maxCoeff()) ++at;
+  while (size(at) < least) ++at;
   return at;
 }
 

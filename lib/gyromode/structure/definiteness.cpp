@@ -18,9 +18,9 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// Up to this order the rank is decided entry by entry. Beyond, a blocked factorisation decides where both its pivots and its condition estimate leave a factor
-// 10 and more to the threshold (either alone can miss a null vector), else the eigenvalues of the equilibrated K.
-constexpr Index entry_by_entry_up_to = 256;
+// Up to the first order the rank is decided entry by entry. Beyond, a blocked factorisation decides where both its pivots and its condition estimate leave a factor
+// 10 and more to the threshold (either alone can miss a null vector); else again entry by entry up to the second order, and the eigenvalues of the equilibrated K beyond that.
+constexpr Index entry_by_entry_up_to = 64, singular_entry_by_entry_up_to = 256;
 
 bool clearly_regular(double reciprocal_condition, const Vector& pivots) {
   const double n = static_cast<double>(pivots.size());
@@ -114,7 +114,7 @@ Definiteness of_nonzero_rows(const Matrix& k) {
   const Vector scale = equilibrating_scale(k);
   const Matrix equilibrated = scaled(k, scale);
   if (auto decided = regular_by_pivots(equilibrated)) return *decided;
-  return by_eigenvalues(equilibrated, scale);
+  return k.rows() <= singular_entry_by_entry_up_to ? entry_by_entry(k) : by_eigenvalues(equilibrated, scale);
 }
 
 }  // namespace

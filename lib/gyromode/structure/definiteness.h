@@ -19,8 +19,8 @@ struct Definiteness {
   Sign sign() const;
 };
 
-/// Inertia of a symmetric matrix (n × n, 0 × 0 allowed). Up to order 256 zero is decided entry by entry (RankedFactor), so that neither units nor gradings matter. Beyond, a Cholesky, then a
-/// Bunch–Kaufman factorisation decides where pivots and condition both leave no doubt; else eigenvalues λ of the equilibrated K with |λ| ≤ 8 n ε max|λ| are zero.
+/// Inertia of a symmetric matrix (n × n, 0 × 0 allowed). Up to order 64 zero is decided entry by entry (RankedFactor), so that neither units nor gradings matter. Beyond, a Cholesky, then a
+/// Bunch–Kaufman factorisation decides where pivots and condition both leave no doubt; else again entry by entry up to order 256, and beyond eigenvalues λ of the equilibrated K with |λ| ≤ 8 n ε max|λ| are zero.
 Definiteness definiteness(const Matrix& k);
 
 }  // namespace gyromode
