@@ -20,13 +20,15 @@ void correct_unstable(dense::UnstableRoots& roots, const dense::CharacteristicPr
   for (Index i = 0; i < roots.count(); ++i) {
     const auto y = roots.left.col(i);
     const Complex k = y.dot(p.k.col(i)), g = y.dot(p.g.col(i)), m = y.dot(p.m.col(i));
+    const auto residual = [&](Complex at) { return (p.k.col(i) + at * p.g.col(i) + (at * at) * p.m.col(i)).norm(); };
     Complex& lambda = roots.lambda[static_cast<std::size_t>(i)];
     const bool real = lambda.imag() == 0;
     for (int step = 0; step < steps; ++step) {
       Complex change = -(k + lambda * (g + lambda * m)) / (g + 2.0 * lambda * m);
       if (real) change = change.real();
       const Complex next = lambda + change;
-      if (!(std::abs(change) <= 1e-3 * std::abs(lambda)) || !(next.real() > 0) || (!real && !(next.imag() > 0))) break;
+      // Near a defective root X turns with λ, and a step that X does not follow makes the pair worse.
+      if (!(std::abs(change) <= 1e-3 * std::abs(lambda)) || !(next.real() > 0) || (!real && !(next.imag() > 0)) || !(residual(next) < residual(lambda))) break;
       lambda = next;
     }
   }

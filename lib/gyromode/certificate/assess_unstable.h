@@ -5,7 +5,7 @@
 
 namespace gyromode {
 
-/// Moves every λ to the root of YᴴN(λ)X = 0 near it, N(λ) = K + λG + λ²M: two steps of Newton's method at most, each a small part of |λ|. A real λ stays real.
+/// Moves every λ to the root of YᴴN(λ)X = 0 near it, N(λ) = K + λG + λ²M: two steps of Newton's method at most, each a small part of |λ| that makes the residual smaller. A real λ stays real.
 void correct_unstable(dense::UnstableRoots& roots, const dense::CharacteristicProducts& of_right);
 /// What Assessment says of roots off the axis.
 Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots, const dense::CharacteristicProducts& of_right);

@@ -26,12 +26,8 @@ std::optional<UnstableRoot> refine_unstable(const Impedance& h, Complex lambda, 
     last = UnstableRoot{lambda, v.right, v.left};
     const double size = std::abs(change);
     if (!(size <= reach) || !(std::abs(lambda + change - start) <= reach)) return std::nullopt;
-    if (!(size < 0.5 * previous)) return last;  // at rounding, or near a defective root: what was reached
+    if (!(size < 0.5 * previous) || size <= settled * std::abs(lambda)) return last;  // at rounding, or near a defective root: what was reached, with its own vectors
     lambda += change;
-    if (size <= settled * std::abs(lambda)) {
-      last->lambda = lambda;
-      return last;
-    }
     previous = size;
   }
   return last;
