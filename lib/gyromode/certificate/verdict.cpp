@@ -90,6 +90,7 @@ Verdict judge(const Impedance& h, dense::Spectrum& s, Assessment& a) {
     constexpr Index costs_nothing = 64;
     Exhibits shown;
     if (s.stiffness_negative > 0 || s.size() <= costs_nothing) shown = exhibited(h, s, a);
+    v.all_shown = shown.all && (s.stiffness_negative > 0 || s.size() <= costs_nothing);
     v.unstable_shown = shown.unstable;
     v.unstable_shown.resize(static_cast<std::size_t>(s.unstable.count()), false);
     v.reason = open_reason(s, v.balance, shown);

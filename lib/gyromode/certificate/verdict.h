@@ -34,6 +34,7 @@ struct Verdict {
   Stability stability = Stability::stable;
   IndexBalance balance;
   std::vector<bool> unstable_shown;  ///< of every root off the axis: whether it was shown to exist; others are no result
+  bool all_shown = false;            ///< whether every root was shown to exist (Exhibits)
   std::string reason;  ///< why the balance is open, for people; empty where it is closed
   std::vector<int> energy_sign;  ///< of every root in the Spectrum: 1, −1, or 0 where it cannot be told
   /// Smallest distance between roots of opposite energy sign relative to the larger; infinite where there is none.
