@@ -78,12 +78,4 @@ void MassNormalGroups::to_physical(ComplexMatrix& z) const {
   }
 }
 
-void MassNormalGroups::to_normal(Matrix& q) const {
-  Index row = 0;
-  for (const MassNormal& group : groups_) {
-    group.to_normal(q.middleRows(row, group.size()));
-    row += group.size();
-  }
-}
-
 }  // namespace gyromode::dense

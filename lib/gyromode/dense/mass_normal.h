@@ -43,10 +43,9 @@ class MassNormalGroups {
  public:
   explicit MassNormalGroups(std::vector<MassNormal> groups) : groups_(std::move(groups)) {}
 
-  /// Columns of all rows from normal to physical coordinates, and back.
+  /// Columns of all rows from normal to physical coordinates.
   void to_physical(ComplexMatrix& z) const;
   void to_physical(UnstableRoots& roots) const;
-  void to_normal(Matrix& q) const;
 
  private:
   std::vector<MassNormal> groups_;
