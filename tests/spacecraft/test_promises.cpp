@@ -55,6 +55,20 @@ TEST(SpacecraftPromises, Parts) {
   EXPECT_NE(refusal([&] { Spacecraft(1, body, {}, {}, {{{0.4, 0, 0}, 2, {0, 5, rigid}}}); }).find("'stiffness' must be above 0 (inf: rigid), or nothing holds the mass to the body: along axis 1 it is 0 N/m"), std::string::npos);
 }
 
+// Numbers that are in range one by one, and whose moments are not.
+TEST(SpacecraftPromises, Range) {
+  for (const double length : {1e110, 1e200, 1e300}) {
+    const std::string wires = refusal([length] { Spacecraft(1, body, pair({0, 0.5, 0.2, length, 1e90, 0.1})); });
+    EXPECT_NE(wires.find("cable 1: mass "), std::string::npos) << wires;
+    EXPECT_NE(wires.find("leave the range of numbers"), std::string::npos) << wires;
+    EXPECT_NE(refusal([length] { Spacecraft(1, body, {}, {{0, true, length, 1e90, {10, 10}, 0}}); }).find("beam 1: mass "), std::string::npos);
+    EXPECT_NE(refusal([length] { Spacecraft(1, body, {}, {}, {{{0, 0, length}, 1e90, {5, 5, 5}}}); }).find("spring mass 1: mass "), std::string::npos);
+  }
+  EXPECT_NE(refusal([] { Spacecraft(1e-170, body); }).find("leave the range of numbers"), std::string::npos);
+  EXPECT_NE(refusal([] { Spacecraft(1e160, body); }).find("leave the range of numbers"), std::string::npos);
+  EXPECT_EQ(refusal([] { Spacecraft(1e-100, body, pair({0, 0.5, 0.2, 20, 1e-60, 0.1})); }), "accepted");
+}
+
 // By how much, in newtons and newton metres: S = ∫ r dm = 0.1·20.5 + 0.01·20·10.5 = 4.15 kg m.
 TEST(SpacecraftPromises, Equilibrium) {
   const std::string force = refusal([] { Spacecraft(2, body, {wire}); });

@@ -15,6 +15,14 @@ void require_lawful(const std::vector<Part>& parts, const char* name) {
   }
 }
 
+// Mass properties of a part and the centrifugal loads that follow from them must be numbers: lengths, masses and the spin may each be far from 1, their products may leave the range.
+void require_numbers(const MassProperties& p, double spin, const std::string& name) {
+  const double square = spin * spin;
+  if (std::isfinite(p.mass) && (square * p.first).allFinite() && (square * p.second).allFinite() && p.first.allFinite() && p.second.allFinite() && square > 0) return;
+  throw BrokenPromise(fmt::format("{}: mass {:.6g} kg, or its moments, or their loads at spin {:.6g} rad/s, leave the range of numbers (1e-308 to 1e308): are the units kg, m and rad/s?",
+                                  name, p.mass, spin));
+}
+
 // What condition 1 and 2 are relative to: Σ∫ r dm.
 double total_first_moment(const Spacecraft& s) {
   double sum = 0;
@@ -42,9 +50,15 @@ Spacecraft::Spacecraft(double spin, Body body, std::vector<Cable> cables, std::v
   require_lawful(masses_, "spring mass");
   body_.inertia = (0.5 * (body_.inertia + body_.inertia.transpose())).eval();
   rigid_ = MassProperties::body(body_.mass, body_.inertia);
-  for (const Cable& c : cables_) rigid_ += CableGroup({c}, spin_).rigid();
-  for (const Beam& b : beams_) rigid_ += BeamAppendage(b, spin_).rigid();
-  for (const SpringMass& m : masses_) rigid_ += MassProperties::point(m.mass, m.position);
+  require_numbers(rigid_, spin_, "body");
+  const auto add = [this](const MassProperties& part, const char* name, std::size_t i) {
+    require_numbers(part, spin_, fmt::format("{} {}", name, i + 1));
+    rigid_ += part;
+    require_numbers(rigid_, spin_, fmt::format("{} {} with what comes before it", name, i + 1));
+  };
+  for (std::size_t i = 0; i < cables_.size(); ++i) add(CableGroup({cables_[i]}, spin_).rigid(), "cable", i);
+  for (std::size_t i = 0; i < beams_.size(); ++i) add(BeamAppendage(beams_[i], spin_).rigid(), "beam", i);
+  for (std::size_t i = 0; i < masses_.size(); ++i) add(MassProperties::point(masses_[i].mass, masses_[i].position), "spring mass", i);
   centre_ = rigid_.first(2) / rigid_.mass;
   require_equilibrium();
   rigid_ = rigid_.seen_from(centre_);
