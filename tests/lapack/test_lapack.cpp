@@ -408,7 +408,7 @@ TEST(Status, FailuresSayWhatLapackSays) {
   EXPECT_EQ(refusal<Failure>([] { require_success(7, "dgeev", "no convergence"); }), "dgeev: no convergence (info = 7)");
   EXPECT_THROW(require_success(-1010, "dsyevd", ""), std::bad_alloc);
   EXPECT_THROW(require_success(-1011, "dsyevd", ""), std::bad_alloc);
-  EXPECT_EQ(refusal<Failure>([] { symmetric_eigen(Matrix::Constant(2, 2, nan)); }), "dsytrd: argument 4 was refused (not finite, or out of range)");
+  EXPECT_EQ(refusal<Failure>([] { symmetric_eigen(Matrix::Constant(2, 2, nan)); }), "dstedc: argument 4 was refused (not finite, or out of range)");
   EXPECT_EQ(refusal<Failure>([] { symmetric_definite_eigen(Matrix::Identity(2, 2), Matrix{{1, 2}, {2, 1}}); }),
             "dsygvd: the right-hand matrix is not positive definite (info = 4)");
 }

@@ -1,8 +1,8 @@
 #include "gyromode/certificate/assess.h"
 
 #include "gyromode/certificate/assess_unstable.h"
-
-#include "gyromode/lapack/multiply.h"
+#include "gyromode/certificate/parseval.h"
+#include "gyromode/certificate/products.h"
 
 #include <Eigen/SVD>
 
@@ -16,47 +16,6 @@ namespace gyromode {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-// K X, M X and jG X, real and imaginary parts: X = re + j im gives jGX = −G_ri im + j G_ir re, G_ir = −G_riᵀ.
-struct Products {
-  Matrix k_re, k_im, m_re, m_im, g_re, g_im;
-};
-
-Products products(const Impedance& h, const dense::Spectrum& s) {
-  Products p;
-  p.m_re = lapack::multiply(h.mass_rr(), s.re);
-  p.m_im = lapack::multiply(h.mass_ii(), s.im);
-  p.g_re = -lapack::multiply(h.gyroscopic_ri(), s.im);
-  p.g_im = -lapack::multiply_tn(h.gyroscopic_ri(), s.re);
-  if (h.second_order()) {
-    p.k_re = lapack::multiply(h.stiffness_rr(), s.re);
-    p.k_im = lapack::multiply(h.stiffness_ii(), s.im);
-  }
-  return p;
-}
-
-// Xᴴ A X for a product AX.
-double form_of(const dense::Spectrum& s, const Matrix& re, const Matrix& im, Index i) { return s.re.col(i).dot(re.col(i)) + s.im.col(i).dot(im.col(i)); }
-
-// −ω²m + ωg + k = 0 (second order) or ωm − g = 0 (first order).
-struct Functional {
-  double m = 0, g = 0, k = 0;
-  bool second_order = true;
-
-  double value(double omega) const { return second_order ? k + omega * (g - omega * m) : omega * m - g; }
-  double slope(double omega) const { return second_order ? 2 * omega * m - g : m; }  // −d/dω for second order
-
-  // A step is taken while it shrinks |value| and stays a small part of ω.
-  double corrected(double omega) const {
-    if (!second_order) return g / m;
-    for (int step = 0; step < 3; ++step) {
-      const double next = omega + value(omega) / slope(omega);
-      if (!(std::abs(next - omega) <= 1e-3 * omega) || !(std::abs(value(next)) < std::abs(value(omega)))) break;
-      omega = next;
-    }
-    return omega;
-  }
-};
 
 // r = H(ω)X, real and imaginary parts of the rows that each has.
 struct ResidualVector {
@@ -104,11 +63,6 @@ void sort_by_frequency(dense::Spectrum& s, Assessment& a) {
   s.im = Matrix(s.im(Eigen::all, order));
 }
 
-Functional functional(const Impedance& h, const dense::Spectrum& s, const Products& p, Index i) {
-  const double k = h.second_order() ? form_of(s, p.k_re, p.k_im, i) : 0;
-  return {form_of(s, p.m_re, p.m_im, i), form_of(s, p.g_re, p.g_im, i), k, h.second_order()};
-}
-
 // X_iᴴ(2ωM − jG)X_k (X_iᴴIX_k in first order).
 Complex form_between(const Impedance& h, const dense::Spectrum& s, const Products& p, Index i, Index k, double omega) {
   const auto image = [&](const Matrix& m, const Matrix& g) -> Vector { return h.second_order() ? Vector(2 * omega * m.col(k) - g.col(k)) : Vector(m.col(k)); };
@@ -151,7 +105,7 @@ void bound_clusters(const Impedance& h, const dense::Spectrum& s, const Products
 
 Assessment measured(const Impedance& h, dense::Spectrum& s, const Products& p) {
   const Index m = s.omega.size();
-  Assessment a{Vector(m), Vector(m), Vector(m), Vector(m), Vector(m), std::vector<Index>(static_cast<std::size_t>(m), 1), {}};
+  Assessment a{Vector(m), Vector(m), Vector(m), Vector(m), Vector(m), std::vector<Index>(static_cast<std::size_t>(m), 1), false, {}};
   Vector own_scale(m), own_error(m);
   const Vector given2 = h.units().coordinate.cwiseAbs2();
   for (Index i = 0; i < m; ++i) {
@@ -168,6 +122,7 @@ Assessment measured(const Impedance& h, dense::Spectrum& s, const Products& p) {
     a.sensitivity(i) = own_scale(i) / std::abs(form);
     a.error_bound(i) = own_error(i) / std::abs(form);
   }
+  a.no_mode_twice = no_mode_twice(h, s, p);
   bound_clusters(h, s, p, own_scale, own_error, a);
   sort_by_frequency(s, a);
   return a;

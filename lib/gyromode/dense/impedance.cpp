@@ -71,7 +71,7 @@ void Impedance::measure_norms() {
   if (!quadrature()) return;
   norm_m_ = std::max(norm_m_, norm1(m_ii_));
   norm_k_ = std::max(norm_k_, norm1(k_ii_));
-  norm_g_ = std::max(norm_g_, norm1(Matrix(g_ri_.transpose())));
+  if (g_ri_.size() > 0) norm_g_ = std::max(norm_g_, g_ri_.cwiseAbs().rowwise().sum().maxCoeff());
 }
 
 namespace {

@@ -1,27 +1,47 @@
 #include "gyromode/dense/inertia.h"
 
+#include "gyromode/lapack/definite.h"
 #include "gyromode/lapack/indefinite.h"
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/system/scale.h"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace gyromode {
 
 namespace {
 
+double margin_of(const Vector& pivots, double terms, double reciprocal_condition) {
+  const double largest = std::max(pivots.cwiseAbs().maxCoeff(), terms);
+  return std::min(pivots.cwiseAbs().minCoeff() / largest, reciprocal_condition);
+}
+
+// Above all modes −H is positive definite, below all of a stable K > 0 H is: where the diagonal allows it a Cholesky factorisation is tried first. It stops at the first pivot that says no.
+template <class AnyMatrix>
+std::optional<Inertia> by_cholesky(const AnyMatrix& equilibrated, double terms) {
+  constexpr Index worth_it_from = 64;
+  const Index n = equilibrated.rows();
+  if (n < worth_it_from) return std::nullopt;
+  const Vector diagonal = equilibrated.diagonal().real();
+  const bool negative = (diagonal.array() < 0).all();
+  if (!negative && !(diagonal.array() > 0).all()) return std::nullopt;
+  const auto factor = lapack::factor_definite(negative ? AnyMatrix(-equilibrated) : equilibrated);
+  if (!factor) return std::nullopt;
+  return Inertia{negative ? n : 0, negative ? 0 : n, margin_of(factor->pivots, terms, factor->reciprocal_condition)};
+}
+
 template <class AnyMatrix>
 Inertia by_pivots(const AnyMatrix& equilibrated, double terms) {
   if (equilibrated.rows() == 0) return {};
+  if (const auto definite = by_cholesky(equilibrated, terms)) return *definite;
   const auto factor = lapack::factor_indefinite(equilibrated);
   const Vector d = lapack::pivot_values(factor);
   Inertia result;
   result.negative = (d.array() < 0).count();
   result.positive = (d.array() > 0).count();
-  const double largest = std::max(d.cwiseAbs().maxCoeff(), terms);
-  const double smallest = d.cwiseAbs().minCoeff();
-  result.margin = smallest > 0 ? std::min(smallest / largest, lapack::reciprocal_condition(factor, norm1(equilibrated))) : 0;
+  result.margin = (d.array() == 0).any() ? 0 : margin_of(d, terms, lapack::reciprocal_condition(factor, norm1(equilibrated)));
   return result;
 }
 

@@ -17,7 +17,7 @@ struct Inertia {
 };
 
 /// The matrix is equilibrated by powers of two first (a congruence), so tiny diagonals and mixed units do no harm. LAPACK's dsytrf and zhetrf: a
-/// factorisation without 2 × 2 pivots returns wrong counts.
+/// factorisation without 2 × 2 pivots returns wrong counts. From order 64 a matrix that may be definite by its diagonal is first tried by Cholesky.
 Inertia inertia(const Matrix& symmetric);
 Inertia inertia(const ComplexMatrix& hermitian);
 

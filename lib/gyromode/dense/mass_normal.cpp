@@ -26,12 +26,19 @@ Matrix MassNormal::coupling(const Matrix& b, const MassNormal& other) const {
   return a;
 }
 
-Matrix MassNormal::stiffness_root(const Matrix& k) const {
-  // F̂ F̂ᵀ = E K E with unit diagonal; F = E⁻¹ F̂ and f = L⁻¹ D E⁻¹ F̂.
-  const Vector e = unit_diagonal_scale(k);
-  Matrix f = scaled(k, e);
-  if (lapack::cholesky(f)) throw lapack::Failure("the stiffness of a group is not numerically positive definite");
-  f = (scale_.array() / e.array()).matrix().asDiagonal() * f;
+StiffnessFactor::StiffnessFactor(const Matrix& k) : scale_(unit_diagonal_scale(k)), factor_(scaled(k, scale_)) {
+  if (lapack::cholesky(factor_)) throw lapack::Failure("the stiffness of a group is not numerically positive definite");
+}
+
+Matrix StiffnessFactor::scaled_rows(const Vector& d) const { return (d.array() / scale_.array()).matrix().asDiagonal() * factor_; }
+
+void StiffnessFactor::to_physical(MatrixSpan s) const {
+  lapack::solve_lower_transposed(factor_, s);
+  s = scale_.asDiagonal() * s;
+}
+
+Matrix MassNormal::stiffness_root(const StiffnessFactor& k) const {
+  Matrix f = k.scaled_rows(scale_);
   lapack::solve_lower(l_, f);
   return f;
 }

@@ -8,6 +8,22 @@
 
 namespace gyromode::dense {
 
+/// K = F Fᵀ of a positive definite K (n × n), F lower triangular, from a Cholesky factor of the scaled K: small eigenvalues of a graded K keep their digits.
+class StiffnessFactor {
+ public:
+  /// Throws lapack::Failure where the factorisation fails.
+  explicit StiffnessFactor(const Matrix& k);
+
+  /// diag(d) F.
+  Matrix scaled_rows(const Vector& d) const;
+  /// s := F⁻ᵀ s, from s = Fᵀq to q: the same as f and L one after the other, L⁻ᵀ f⁻ᵀ, in one solve.
+  void to_physical(MatrixSpan s) const;
+
+ private:
+  Vector scale_;  // E K E = F̂ F̂ᵀ has a unit diagonal
+  Matrix factor_;
+};
+
 /// Coordinates in which the mass matrix of a group is the unit matrix: q = D L⁻ᵀ z with D M D = L Lᵀ, D the power-of-two scaling to unit
 /// diagonal (so that mixed units cost no digits).
 class MassNormal {
@@ -23,9 +39,8 @@ class MassNormal {
   Matrix gyroscopic(const Matrix& g) const;
   /// L₁⁻¹ D₁ B D₂ L₂⁻ᵀ for B coupling this group (rows) to `other` (columns).
   Matrix coupling(const Matrix& b, const MassNormal& other) const;
-  /// f = L⁻¹ D F with K = F Fᵀ, so that the normalised stiffness is f fᵀ (theory (T5)); lower triangular, from a Cholesky factor of the
-  /// scaled K: small eigenvalues of a graded K keep their digits. K must be positive definite.
-  Matrix stiffness_root(const Matrix& k) const;
+  /// f = L⁻¹ D F with K = F Fᵀ, so that the normalised stiffness is f fᵀ (theory (T5)); lower triangular.
+  Matrix stiffness_root(const StiffnessFactor& k) const;
   /// z := D L⁻ᵀ z, columns from normal to physical coordinates.
   void to_physical(MatrixSpan z) const;
   void to_physical(ComplexMatrix& z) const;

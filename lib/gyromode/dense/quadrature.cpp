@@ -14,17 +14,18 @@ namespace gyromode::dense {
 
 namespace {
 
-// x = f⁻ᵀ s where f is square; else x = (f s + b w)/ω², the same by the first row of (T5).
+// The shapes asked for of x = f⁻ᵀ s where f is square; else of x = (f s + b w)/ω², the same by the first row of (T5).
 Matrix displacement(const QuadratureForm& form, const MatrixView& s, const MatrixView& w, const Vector& omega) {
   const Matrix& f = form.first.root();
   if (f.rows() == f.cols()) {
     Matrix x = s;
-    lapack::solve_lower_transposed(f, x);
+    form.first.shapes_of_root(x);
     return x;
   }
   Matrix x = lapack::multiply(f, s);
   lapack::multiply_into(x, 1, form.b, false, w, false, 1);
   x *= omega.cwiseAbs2().cwiseInverse().asDiagonal();
+  form.first.shapes(x);
   return x;
 }
 
@@ -32,7 +33,21 @@ Matrix displacement(const QuadratureForm& form, const MatrixView& s, const Matri
 QuadratureModes recovered(const QuadratureForm& form, const Vector& omega, const MatrixView& v) {
   const Index q = form.first.root().cols();
   const MatrixView w = v.bottomRows(v.rows() - q);
-  return {omega, displacement(form, v.topRows(q), w, omega), w * omega.cwiseInverse().asDiagonal(), {}, {}};
+  Matrix y = w * omega.cwiseInverse().asDiagonal();
+  form.second.shapes(y);
+  return {omega, displacement(form, v.topRows(q), w, omega), std::move(y), {}, {}};
+}
+
+// Columns (x, y) of the form, to the shapes asked for.
+void shapes_of(const QuadratureForm& form, ComplexMatrix& z) {
+  if (z.cols() == 0) return;
+  Matrix re = z.real(), im = z.imag();
+  for (Matrix* part : {&re, &im}) {
+    form.first.shapes(part->topRows(form.first.size()));
+    form.second.shapes(part->bottomRows(form.second.size()));
+  }
+  z.real() = re;
+  z.imag() = im;
 }
 
 // Divergence, W(s, w) = −σ²(s, w): x = −(f s + b w)/σ², y = w/σ, each column of v one pair.
@@ -47,6 +62,8 @@ UnstableRoots divergent(const QuadratureForm& form, const Vector& sigma, const M
     right << (-x.col(k) / (sigma(k) * sigma(k))).cast<Complex>(), (v.col(k).tail(v.rows() - q) / sigma(k)).cast<Complex>();
     roots.set(k, sigma(k), right, reversed(right, x.rows()));
   }
+  shapes_of(form, roots.right);
+  shapes_of(form, roots.left);
   return roots;
 }
 
@@ -78,13 +95,12 @@ bool small_frequencies(const lapack::Tridiagonal& w, double norm_w) {
 }
 
 // An error ε‖W‖ in ω² is one of ε‖W‖/2ω in ω, while a backward error nε in K moves ω by nε‖K‖‖X‖²ω/2. The eigenvalues of W are good enough
-// while the first is below the second for every mode.
-bool accurate(const QuadratureModes& modes, double norm_w, double norm_k) {
-  const double n = static_cast<double>(modes.x.rows() + modes.y.rows());
-  for (Index i = 0; i < modes.omega.size(); ++i) {
-    const double scale = n * norm_k * modes.omega(i) * modes.omega(i);
-    const double y = scale * modes.y.col(i).squaredNorm();
-    if (!(norm_w <= y) && !(norm_w <= y + scale * modes.x.col(i).squaredNorm())) return false;
+// while the first is below the second for every mode (s, w), column of v: ‖y‖ = ‖w‖/ω, and ‖x‖² ≥ ‖s‖²/‖K‖ as s = fᵀx.
+bool accurate(const Vector& omega, const MatrixView& v, Index q, double norm_w, double norm_k) {
+  const double n = static_cast<double>(v.rows());
+  for (Index i = 0; i < omega.size(); ++i) {
+    const double y = n * norm_k * v.col(i).tail(v.rows() - q).squaredNorm();
+    if (!(norm_w <= y) && !(norm_w <= y + n * omega(i) * omega(i) * v.col(i).head(q).squaredNorm())) return false;
   }
   return true;
 }
@@ -116,8 +132,9 @@ QuadratureModes by_w(const QuadratureForm& form) {
   const auto e = tridiagonal.eigen();
   const Index unstable = (e.values.array() < 0).count();
   const Index m = e.values.size() - unstable;
-  QuadratureModes modes = recovered(form, e.values.tail(m).cwiseSqrt(), e.vectors.rightCols(m));
-  if (alternative && !accurate(modes, norm_w, norm_k)) return by_singular_values(form);
+  const Vector omega = e.values.tail(m).cwiseSqrt();
+  if (alternative && !accurate(omega, e.vectors.rightCols(m), q, norm_w, norm_k)) return by_singular_values(form);
+  QuadratureModes modes = recovered(form, omega, e.vectors.rightCols(m));
   if (unstable > 0) modes.unstable = divergent(form, (-e.values.head(unstable)).cwiseSqrt(), e.vectors.leftCols(unstable));
   modes.path = "eigenvalues of W (real symmetric, n × n)";
   return modes;
@@ -141,6 +158,12 @@ QuadratureModes exchanged_back(QuadratureModes modes) {
 
 }  // namespace
 
+void StiffnessBlock::shapes_of_root(MatrixSpan s) const {
+  if (asked_.from_root) return asked_.from_root(s);
+  lapack::solve_lower_transposed(root(), s);
+  shapes(s);
+}
+
 ComplexVector reversed(const ComplexVector& right, Index in_phase) {
   ComplexVector left = right.conjugate();
   left.tail(left.size() - in_phase) *= -1;
@@ -150,7 +173,12 @@ ComplexVector reversed(const ComplexVector& right, Index in_phase) {
 QuadratureModes quadrature_modes(const QuadratureForm& form) {
   if (form.first.has_root()) return by_w(form);
   if (form.second.has_root()) return exchanged_back(by_w(exchanged(form)));
-  return product_modes(form);
+  QuadratureModes modes = product_modes(form);
+  form.first.shapes(modes.x);
+  form.second.shapes(modes.y);
+  shapes_of(form, modes.unstable.right);
+  shapes_of(form, modes.unstable.left);
+  return modes;
 }
 
 }  // namespace gyromode::dense

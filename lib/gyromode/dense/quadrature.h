@@ -10,6 +10,12 @@
 
 namespace gyromode::dense {
 
+/// The coordinates in which shapes of one group are asked for: each function replaces its columns by theirs. Without functions they are those of the form.
+struct ShapeCoordinates {
+  std::function<void(MatrixSpan)> from_normal;  ///< from x of the form
+  std::function<void(MatrixSpan)> from_root;    ///< from s = fᵀx of a square root f; one triangular solve where f and the mass factor would take one each
+};
+
 /// One diagonal block k (n × n) of a mass-normalised stiffness; where k ≥ 0 also a root f with k = f fᵀ, n × q, q < n only where the null space is
 /// gyroscopically coupled (see Deflation). Each costs a congruence, and not every solver asks for both: they may be given as recipes.
 class StiffnessBlock {
@@ -29,6 +35,14 @@ class StiffnessBlock {
   const Matrix& null() const { return null_; }
   void set_null(Matrix null) { null_ = std::move(null); }
 
+  /// x := the shapes asked for, of x in the coordinates of the form.
+  void shapes(MatrixSpan x) const {
+    if (asked_.from_normal) asked_.from_normal(x);
+  }
+  /// The same of s = fᵀx, f square and lower triangular.
+  void shapes_of_root(MatrixSpan s) const;
+  void ask_for(ShapeCoordinates coordinates) { asked_ = std::move(coordinates); }
+
  private:
   static const Matrix& made(std::optional<Matrix>& matrix, const Recipe& recipe) {
     if (!matrix) matrix = recipe();
@@ -38,6 +52,7 @@ class StiffnessBlock {
   mutable std::optional<Matrix> k_, root_;
   Recipe k_recipe_, root_recipe_;
   Matrix null_;
+  ShapeCoordinates asked_;
 };
 
 /// The quadrature class in mass-normalised coordinates (theory (T4)):
@@ -47,7 +62,7 @@ struct QuadratureForm {
   StiffnessBlock first, second;
 };
 
-/// Motions X = (x, −j y) e^{jωt} with real x (p × m) and y (r × m), ω > 0 ascending; and the roots off the imaginary axis.
+/// Motions X = (x, −j y) e^{jωt} with real x (p × m) and y (r × m), ω > 0 ascending; and the roots off the imaginary axis. All in the coordinates that the blocks ask for.
 struct QuadratureModes {
   Vector omega;
   Matrix x, y;

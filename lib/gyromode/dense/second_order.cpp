@@ -16,7 +16,7 @@ void solve_regular(const SecondOrder& m, Index negative, Spectrum& s) {
   const MassNormal normal(m.mass);
   const Matrix gamma = normal.gyroscopic(m.gyroscopic);
   if (negative == 0) {
-    ComplexModes modes = definite_modes(gamma, normal.stiffness_root(m.stiffness));
+    ComplexModes modes = definite_modes(gamma, normal.stiffness_root(StiffnessFactor(m.stiffness)));
     s.omega = std::move(modes.omega);
     s.re = std::move(modes.re);
     s.im = std::move(modes.im);

@@ -5,15 +5,25 @@
 #include "gyromode/structure/definiteness.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 
 namespace gyromode::dense {
 
 namespace {
 
+// Shapes are asked for in physical coordinates; a root f = L⁻¹F leads there by F alone.
 StiffnessBlock block(const MassNormal& normal, const Matrix& k, bool positive) {
   StiffnessBlock::Recipe root;
-  if (positive) root = [&normal, &k] { return normal.stiffness_root(k); };
-  return {k.rows(), [&normal, &k] { return normal.stiffness(k); }, std::move(root)};
+  ShapeCoordinates physical{[&normal](MatrixSpan x) { normal.to_physical(x); }, {}};
+  if (positive) {
+    const auto factor = std::make_shared<std::optional<StiffnessFactor>>();
+    root = [&normal, &k, factor] { return normal.stiffness_root(factor->emplace(k)); };
+    physical.from_root = [factor](MatrixSpan s) { (*factor)->to_physical(s); };
+  }
+  StiffnessBlock made(k.rows(), [&normal, &k] { return normal.stiffness(k); }, std::move(root));
+  made.ask_for(std::move(physical));
+  return made;
 }
 
 void solve_regular(const SecondOrderQuadrature& m, bool positive1, bool positive2, Spectrum& s) {
@@ -21,15 +31,12 @@ void solve_regular(const SecondOrderQuadrature& m, bool positive1, bool positive
   const MassNormal second(m.mass2);
   QuadratureModes modes =
       quadrature_modes({first.coupling(m.coupling, second), block(first, m.stiffness1, positive1), block(second, m.stiffness2, positive2)});
-  first.to_physical(modes.x);
-  second.to_physical(modes.y);
   s.re = std::move(modes.x);
   s.im = std::move(modes.y);
   s.im *= -1;
   s.path = "quadrature: " + modes.path;
   s.omega = std::move(modes.omega);
   s.unstable = std::move(modes.unstable);
-  MassNormalGroups({first, second}).to_physical(s.unstable);
 }
 
 Definiteness of_both(const Definiteness& d1, const Definiteness& d2) {

@@ -12,8 +12,8 @@ Couplings::Couplings(Index size) : first_of_equals_(static_cast<std::size_t>(siz
 
 void Couplings::add(Index i, Index k, CouplingKind kind) {
   if (i == k || meet(i, k, kind)) return;
-  graph_.neighbours[static_cast<std::size_t>(i)].push_back({k, kind});
-  graph_.neighbours[static_cast<std::size_t>(k)].push_back({i, kind});
+  graph_.neighbours[static_cast<std::size_t>(i)].push_back({static_cast<std::int32_t>(k), kind});
+  graph_.neighbours[static_cast<std::size_t>(k)].push_back({static_cast<std::int32_t>(i), kind});
 }
 
 bool Couplings::meet(Index i, Index k, CouplingKind kind) const {

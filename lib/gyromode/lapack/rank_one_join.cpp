@@ -124,8 +124,14 @@ void join_rank_one(Vector& d, Matrix& q, Index cut, double rho) {
   Integers ascending(static_cast<std::size_t>(d.size()));
   std::iota(ascending.begin(), ascending.end(), 0);
   std::sort(ascending.begin(), ascending.end(), [&](int a, int b) { return d(a) < d(b); });
+  if (std::is_sorted(ascending.begin(), ascending.end())) return;
   d = d(ascending).eval();
-  q = q(Eigen::all, ascending).eval();
+  Matrix sorted(q.rows(), q.cols());
+  Team team(threads_for(q.cols()));
+  team.run([&](int part) {
+    for (Index j = team.begin(q.cols(), part); j < team.begin(q.cols(), part + 1); ++j) sorted.col(j) = q.col(ascending[static_cast<std::size_t>(j)]);
+  });
+  q = std::move(sorted);
 }
 
 }  // namespace gyromode::lapack

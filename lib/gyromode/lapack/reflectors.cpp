@@ -7,6 +7,9 @@
 #include <cblas.h>
 
 #include <algorithm>
+#include <atomic>
+#include <optional>
+#include <vector>
 
 namespace gyromode::lapack {
 
@@ -29,7 +32,7 @@ struct Panel {
         v.col(i).tail(rows - i - 1) = q.vectors.col(start + i).tail(rows - i - 1);
       }
     }
-    u = gram(v);
+    u = multiply_tn(v, v);
     for (Index i = 0; i < width; ++i) u(i, i) = q.tau(start + i) == 0 ? 1 : 1 / q.tau(start + i);
   }
 
@@ -40,34 +43,50 @@ struct Panel {
   }
 };
 
+// All panels, made at once: each is work for one thread.
+std::vector<std::optional<Panel>> panels_of(const Reflectors& q, Team& team) {
+  std::vector<std::optional<Panel>> panels(static_cast<std::size_t>((q.tau.size() + panel_width - 1) / panel_width));
+  std::atomic<std::size_t> next = 0;
+  team.run([&](int) {
+    for (std::size_t k = next++; k < panels.size(); k = next++) {
+      const Index start = static_cast<Index>(k) * panel_width;
+      panels[k].emplace(q, start, std::min(panel_width, q.tau.size() - start));
+    }
+  });
+  return panels;
+}
+
 }  // namespace
 
 void multiply_right(MatrixSpan x, const Reflectors& q) {
   Team team(threads_for(q.size()));
-  for (Index start = 0; start < q.tau.size(); start += panel_width) {
-    const Panel panel(q, start, std::min(panel_width, q.tau.size() - start));
+  const auto panels = panels_of(q, team);
+  for (const auto& panel : panels) {
     team.run([&](int part) {
-      auto rows = x.middleRows(team.begin(x.rows(), part), team.count(x.rows(), part)).rightCols(panel.v.rows());
-      Matrix y = multiply(rows, panel.v);
-      panel.solve(CblasRight, y);
-      multiply_into(rows, -1, y, false, panel.v, true, 1);
+      auto rows = x.middleRows(team.begin(x.rows(), part), team.count(x.rows(), part)).rightCols(panel->v.rows());
+      Matrix y = multiply(rows, panel->v);
+      panel->solve(CblasRight, y);
+      multiply_into(rows, -1, y, false, panel->v, true, 1);
     });
   }
 }
 
 void multiply_left(const Reflectors& q, MatrixSpan x) {
   Team team(threads_for(q.size()));
-  for (Index end = q.tau.size(); end > 0;) {
-    const Index start = (end - 1) / panel_width * panel_width;
-    const Panel panel(q, start, end - start);
-    team.run([&](int part) {
-      auto columns = x.middleCols(team.begin(x.cols(), part), team.count(x.cols(), part)).bottomRows(panel.v.rows());
-      Matrix y = multiply_tn(panel.v, columns);
-      panel.solve(CblasLeft, y);
-      multiply_into(columns, -1, panel.v, false, y, false, 1);
-    });
-    end = start;
-  }
+  const auto panels = panels_of(q, team);
+  // A thread goes through all panels with its columns of x: none waits for another.
+  team.run([&](int part) {
+    const Index width = team.count(x.cols(), part);
+    Matrix y(panel_width, width);
+    for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel) {
+      const Matrix& v = (*panel)->v;
+      auto columns = x.middleCols(team.begin(x.cols(), part), width).bottomRows(v.rows());
+      auto z = y.topRows(v.cols());
+      multiply_into(z, 1, v, true, columns, false, 0);
+      (*panel)->solve(CblasLeft, z);
+      multiply_into(columns, -1, v, false, z, false, 1);
+    }
+  });
 }
 
 }  // namespace gyromode::lapack

@@ -8,6 +8,8 @@
 
 #include <Eigen/QR>
 
+#include <vector>
+
 namespace gyromode::lapack {
 
 namespace {
@@ -42,8 +44,9 @@ std::optional<Index> cholesky(MatrixSpan a) {
 double reciprocal_condition(const MatrixView& l, double norm) {
   if (l.rows() == 0) return 1;
   double rcond = 0;
-  const int info =
-      LAPACKE_dpocon(LAPACK_COL_MAJOR, 'L', dimension(l.rows(), "dpocon"), l.data(), dimension(l.outerStride(), "dpocon"), norm, &rcond);
+  Vector work(3 * l.rows());
+  std::vector<int> signs(static_cast<std::size_t>(l.rows()));
+  const int info = LAPACKE_dpocon_work(LAPACK_COL_MAJOR, 'L', dimension(l.rows(), "dpocon"), l.data(), dimension(l.outerStride(), "dpocon"), norm, &rcond, work.data(), signs.data());
   require_success(info, "dpocon", "the condition could not be estimated");
   return rcond;
 }
@@ -57,13 +60,13 @@ void multiply_lower_right(const MatrixView& l, MatrixSpan b) { triangular_multip
 Matrix gram_of_lower(Matrix l) {
   if (l.size() == 0) return l;
   const int order = dimension(l.rows(), "dlauum");
-  require_success(LAPACKE_dlauum(LAPACK_COL_MAJOR, 'L', order, l.data(), order), "dlauum", "");
+  require_success(LAPACKE_dlauum_work(LAPACK_COL_MAJOR, 'L', order, l.data(), order), "dlauum", "");
   return l;
 }
 
 Matrix congruence(const MatrixView& l, Matrix a) {
   if (a.size() == 0) return a;
-  const int info = LAPACKE_dsygst(LAPACK_COL_MAJOR, 1, 'L', dimension(a.rows(), "dsygst"), a.data(), dimension(a.outerStride(), "dsygst"), l.data(),
+  const int info = LAPACKE_dsygst_work(LAPACK_COL_MAJOR, 1, 'L', dimension(a.rows(), "dsygst"), a.data(), dimension(a.outerStride(), "dsygst"), l.data(),
                                   dimension(l.outerStride(), "dsygst"));
   require_success(info, "dsygst", "");
   mirror_lower(a);

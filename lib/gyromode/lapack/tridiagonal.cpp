@@ -30,8 +30,14 @@ Tridiagonal::Tridiagonal(Matrix a) : diagonal_(a.rows()), subdiagonal_(std::max<
   q_ = {std::move(a), Vector(subdiagonal_.size()), 1};
   if (n == 0) return;
   const int order = dimension(n, "dsytrd");
-  const int info = LAPACKE_dsytrd(LAPACK_COL_MAJOR, 'L', order, q_.vectors.data(), order, diagonal_.data(), subdiagonal_.data(), q_.tau.data());
-  require_success(info, "dsytrd", "");
+  const auto reduce = [&](double* work, int length) {
+    const int info = LAPACKE_dsytrd_work(LAPACK_COL_MAJOR, 'L', order, q_.vectors.data(), order, diagonal_.data(), subdiagonal_.data(), q_.tau.data(), work, length);
+    require_success(info, "dsytrd", "");
+  };
+  double length = 0;
+  reduce(&length, -1);
+  Vector work(static_cast<Index>(length));
+  reduce(work.data(), dimension(work.size(), "dsytrd"));
 }
 
 Index Tridiagonal::below(double bound) const {

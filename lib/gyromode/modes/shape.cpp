@@ -1,13 +1,20 @@
 #include "gyromode/modes/shape.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace gyromode {
 
 namespace {
 
+// The first of those that are as large as the largest, by |z|² unless that leaves the range of double.
 Index position_of_largest(const ComplexVector& x) {
-  const Vector size = x.cwiseAbs();
+  if (x.size() == 0) return 0;
   constexpr double tie = 1e-12;
-  const double least = (1 - tie) * size.maxCoeff();
+  const double part = std::max(x.real().cwiseAbs().maxCoeff(), x.imag().cwiseAbs().maxCoeff());
+  const bool squares = part > 1e-140 && part < 1e140;
+  const Vector size = squares ? Vector(x.cwiseAbs2()) : Vector(x.cwiseAbs());
+  const double least = (1 - (squares ? 2 : 1) * tie) * size.maxCoeff();
   Index at = 0;
   while (size(at) < least) ++at;
   return at;

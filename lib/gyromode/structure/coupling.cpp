@@ -4,23 +4,28 @@ namespace gyromode {
 
 namespace {
 
-void add_couplings(CouplingGraph& graph, const Matrix& a, CouplingKind kind) {
-  for (Index j = 0; j < a.cols(); ++j) {
-    for (Index i = j + 1; i < a.rows(); ++i) {
-      if (a(i, j) == 0) continue;
-      graph.neighbours[static_cast<std::size_t>(i)].push_back({j, kind});
-      graph.neighbours[static_cast<std::size_t>(j)].push_back({i, kind});
-    }
+// Column v of a matrix with a symmetric pattern holds the couplings of v.
+void add_couplings(std::vector<CouplingGraph::Edge>& neighbours, const Matrix& a, Index v, CouplingKind kind) {
+  for (Index i = 0; i < a.rows(); ++i) {
+    if (i != v && a(i, v) != 0) neighbours.push_back({static_cast<std::int32_t>(i), kind});
   }
 }
+
+std::size_t couplings(const Matrix& a, Index v) { return static_cast<std::size_t>((a.col(v).array() != 0).count()); }
 
 }  // namespace
 
 CouplingGraph coupling_graph(const std::vector<const Matrix*>& symmetric, const Matrix& skew) {
   CouplingGraph graph;
   graph.neighbours.resize(static_cast<std::size_t>(skew.rows()));
-  for (const Matrix* a : symmetric) add_couplings(graph, *a, CouplingKind::in_phase);
-  add_couplings(graph, skew, CouplingKind::cross);
+  for (Index v = 0; v < graph.size(); ++v) {
+    auto& neighbours = graph.neighbours[static_cast<std::size_t>(v)];
+    std::size_t count = couplings(skew, v);
+    for (const Matrix* a : symmetric) count += couplings(*a, v);
+    neighbours.reserve(count);
+    for (const Matrix* a : symmetric) add_couplings(neighbours, *a, v, CouplingKind::in_phase);
+    add_couplings(neighbours, skew, v, CouplingKind::cross);
+  }
   return graph;
 }
 

@@ -2,17 +2,18 @@
 
 #include "gyromode/lapack/types.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace gyromode {
 
 /// How two coordinates are coupled: `in_phase` through M or K (real entries of H), `cross` through G (imaginary entries).
-enum class CouplingKind { in_phase, cross };
+enum class CouplingKind : std::uint8_t { in_phase, cross };
 
 /// The couplings of n coordinates as an undirected graph, one list of neighbours a coordinate.
 struct CouplingGraph {
-  struct Edge {
-    Index to;
+  struct Edge {  // of eight bytes: a full matrix has many
+    std::int32_t to;
     CouplingKind kind;
   };
   std::vector<std::vector<Edge>> neighbours;
