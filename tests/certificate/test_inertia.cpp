@@ -37,6 +37,37 @@ Vector eigenvalues(const AnyMatrix& hermitian) {
 
 // ---- inertia
 
+// Orders from which a definite matrix is counted by Cholesky: definite, and all but definite with the same signs on the diagonal.
+TEST(Inertia, DefiniteMatricesAndThoseThatAreNearlySo) {
+  Random random(43);
+  for (const Index n : {63, 64, 65, 120}) {
+    for (const Index negative : {Index{0}, Index{1}, n - 1, n}) {
+      ComplexMatrix z(n, n);
+      z.real() = random_matrix(n, n, random);
+      z.imag() = random_matrix(n, n, random);
+      const ComplexMatrix u = z.householderQr().householderQ();
+      const Matrix q = Matrix(z.real()).householderQr().householderQ();
+      Vector lambda = random_matrix(n, 1, random).cwiseAbs().cwiseMin(1).array() + 1;
+      lambda.head(negative) *= -1;
+      for (const double last : {1.0, 1e-3, 1e-9}) {
+        Vector values = lambda;
+        values(negative == 1 || negative == n ? 0 : n - 1) *= last;  // the only one of its sign, if there is one: the diagonal does not show it
+        for (const Inertia& found : {inertia(Matrix(q * values.asDiagonal() * q.transpose())), inertia(ComplexMatrix(u * values.asDiagonal() * u.adjoint()))}) {
+          EXPECT_EQ(found.negative, negative) << n << " " << last;
+          EXPECT_EQ(found.positive, n - negative);
+          EXPECT_FALSE(found.doubtful());
+          EXPECT_LE(found.margin, last);
+          EXPECT_GT(found.margin, 1e-4 * last);
+        }
+      }
+      Vector singular = lambda.cwiseAbs();
+      singular(0) = 1e-18;
+      EXPECT_TRUE(inertia(Matrix(q * singular.asDiagonal() * q.transpose())).doubtful()) << n;
+      EXPECT_TRUE(inertia(ComplexMatrix(-u * singular.asDiagonal() * u.adjoint())).doubtful()) << n;
+    }
+  }
+}
+
 // U Λ Uᴴ with 1 ≤ |λ| ≤ 2, `negative` of them below 0: condition 2. Units are then graded, which keeps the inertia.
 TEST(Inertia, WellConditionedMatricesInAnyUnitsAreCountedWithoutDoubt) {
   Random random(41);
