@@ -61,6 +61,7 @@ std::vector<Row> certified_rows(const RowOptions& options) {
   general("two copies", 400, Regime::copies);
   general("graded", 400, Regime::graded);
   general("mixed units", 400, Regime::mixed);
+  general("spinning beam", 400, Regime::beam);
   const Index n = scaled_order(500, options);
   rows.push_back(against_dgeev(fmt::format("quadrature, both blocks indefinite, unstable, n = {}", n), quadrature_indefinite(n, Balance::mixed, seed), options.rounds));
   return rows;

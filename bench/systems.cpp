@@ -6,6 +6,7 @@
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/system/promise.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
 #include <cmath>
@@ -123,6 +124,34 @@ System quadrature_indefinite(Index n, Balance balance, std::uint64_t seed) {
 
 Matrix random_symmetric(Index n, std::uint64_t seed) { return symmetric_part(Source(seed).gaussian(n, n)); }
 
+namespace {
+
+// Second differences squared, clamped and free: the stiffness of a chain of m masses that resists bending.
+Matrix bending(Index m) {
+  Matrix d = Matrix::Zero(m, m);
+  for (Index i = 0; i < m; ++i) {
+    d(i, i) = 1;
+    if (i >= 1) d(i, i - 1) = -2;
+    if (i >= 2) d(i, i - 2) = 1;
+  }
+  return d.transpose() * d;
+}
+
+// K − Ω²M in both directions, G = 2ΩJM.
+System spinning_beam(Index n, const Matrix& t) {
+  const Index m = n / 2;
+  const Matrix k = bending(m);
+  const double spin2 = 100 * Eigen::SelfAdjointEigenSolver<Matrix>(k, Eigen::EigenvaluesOnly).eigenvalues()(0);
+  Matrix stiffness = Matrix::Zero(2 * m, 2 * m), g = Matrix::Zero(2 * m, 2 * m);
+  stiffness.topLeftCorner(m, m) = k - spin2 * Matrix::Identity(m, m);
+  stiffness.bottomRightCorner(m, m) = 1.5 * k - spin2 * Matrix::Identity(m, m);
+  g.bottomLeftCorner(m, m) = 2 * std::sqrt(spin2) * Matrix::Identity(m, m);
+  g.topRightCorner(m, m) = -g.bottomLeftCorner(m, m);
+  return System(Matrix::Identity(2 * m, 2 * m), skew_part(t * g * t.transpose()), symmetric_part(t * stiffness * t.transpose()));
+}
+
+}  // namespace
+
 System general_indefinite(Index n, Regime regime, std::uint64_t seed) {
   std::mt19937_64 bits(seed);
   std::normal_distribution<double> normal;
@@ -133,6 +162,7 @@ System general_indefinite(Index n, Regime regime, std::uint64_t seed) {
     return a;
   };
   const auto orthogonal_matrix = [&](Index rows) { return Matrix(Eigen::HouseholderQR<Matrix>(gaussian_matrix(rows)).householderQ()); };
+  if (regime == Regime::beam) return spinning_beam(n, orthogonal_matrix(n));
   const Index own = regime == Regime::copies ? n / 2 : n;
   Vector d(own);
   for (Index i = 0; i < own; ++i) d(i) = size(bits) * (i < own / 10 ? -1 : 1) * (regime == Regime::graded ? std::pow(10.0, 8.0 * static_cast<double>(i) / static_cast<double>(own)) : 1);

@@ -33,6 +33,7 @@ enum class Regime {
   huge,     ///< G 10⁶ times as large
   graded,   ///< K over eight decades
   mixed,    ///< every coordinate in a unit of its own, 2⁻²⁰ … 2²⁰
+  beam,     ///< no random system: a chain of n/2 masses, clamped at one end, bending in two directions in axes that turn ten times as fast as its slowest mode, in orthogonal coordinates that hide it
   copies    ///< two copies of one system of order n/2, in orthogonal coordinates that hide it
 };
 

@@ -122,7 +122,7 @@ Assessment measured(const Impedance& h, dense::Spectrum& s, const Products& p) {
     a.sensitivity(i) = own_scale(i) / std::abs(form);
     a.error_bound(i) = own_error(i) / std::abs(form);
   }
-  a.no_mode_twice = no_mode_twice(h, s, p);
+  a.no_root_twice = no_root_twice(h, s, p);
   bound_clusters(h, s, p, own_scale, own_error, a);
   sort_by_frequency(s, a);
   return a;
@@ -135,8 +135,9 @@ double backward_error(Index n) { return 4 * static_cast<double>(std::max<Index>(
 Assessment assess(const Impedance& h, dense::Spectrum& s) {
   const Products p = products(h, s);
   for (Index i = 0; i < s.omega.size(); ++i) s.omega(i) = functional(h, s, p, i).corrected(s.omega(i));
+  const Assessment::Unstable unstable = assess_unstable(h, s);
   Assessment a = measured(h, s, p);
-  a.unstable = assess_unstable(h, s);
+  a.unstable = unstable;
   return a;
 }
 

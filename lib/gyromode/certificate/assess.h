@@ -22,7 +22,7 @@ struct Assessment {
   Vector error_bound;
   Vector sensitivity;   ///< |δω| for a backward error of 1 in each coefficient's own scale: own_scale / |form|
   std::vector<Index> cluster;  ///< c of every root, 1 for a simple one
-  bool no_mode_twice = false;  ///< Parseval's identity showed it (K > 0, every mode found): see parseval.h
+  bool no_root_twice = false;  ///< Parseval's identity showed it (K regular, as many roots as there must be): see parseval.h
 
   struct Unstable {  ///< the same of the roots off the axis, with the left vector Y: |δλ| ≤ (|Y|ᵀ|r| + c ε own_scale) / |YᴴN′(λ)X|; own_residual is the larger one of X and Y
     Vector residual, own_residual, error_bound, sensitivity;

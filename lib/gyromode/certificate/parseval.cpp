@@ -1,5 +1,6 @@
 #include "gyromode/certificate/parseval.h"
 
+#include "gyromode/dense/characteristic_products.h"
 #include "gyromode/lapack/multiply.h"
 
 #include <cmath>
@@ -19,8 +20,9 @@ Vector random_signs_and_sizes(Index n, std::uint64_t seed) {
 
 // Rows of a vector that carry real and imaginary parts: all of both without a partition.
 struct Parts {
-  Vector re, im;
-  Parts(const Impedance& h, const Vector& v) : re(h.quadrature() ? Vector(v.head(h.mass_rr().rows())) : v), im(h.quadrature() ? Vector(v.tail(h.mass_ii().rows())) : v) {}
+  Vector whole, re, im;
+  Parts(const Impedance& h, Vector v)
+      : whole(std::move(v)), re(h.quadrature() ? Vector(whole.head(h.mass_rr().rows())) : whole), im(h.quadrature() ? Vector(whole.tail(h.mass_ii().rows())) : whole) {}
 };
 
 double quadratic(const Matrix& a, const Vector& v) {
@@ -40,26 +42,51 @@ Vector squares(const Matrix& re, const Matrix& im, const Parts& v) {
   return real.cwiseAbs2() + imaginary.cwiseAbs2();
 }
 
-}  // namespace
+// Energies of the parts of (a, 0) and of (0, b), modes first.
+struct Shares {
+  Vector by_displacement, by_velocity;
+};
 
-bool no_mode_twice(const Impedance& h, const dense::Spectrum& s, const Products& p) {
-  constexpr double noticed = 1e-3;
-  const Index n = h.size();
-  if (!h.second_order() || s.stiffness_negative > 0 || s.stiffness_zero > 0 || s.omega.size() != n) return false;
-  const Parts a(h, random_signs_and_sizes(n, 1979)), b(h, random_signs_and_sizes(n, 2026));
-  Vector norms(n);
-  for (Index i = 0; i < n; ++i) {
+Shares shares_of_modes(const Impedance& h, const dense::Spectrum& s, const Products& p, const Parts& a, const Parts& b) {
+  Vector norms(s.omega.size());
+  for (Index i = 0; i < norms.size(); ++i) {
     const Functional f = functional(h, s, p, i);
     norms(i) = f.k + s.omega(i) * s.omega(i) * f.m;
   }
-  const Vector by_displacement = 2 * squares(p.k_re, p.k_im, a).cwiseQuotient(norms);
-  const Vector by_velocity = 2 * squares(p.m_re, p.m_im, b).cwiseProduct(s.omega.cwiseAbs2()).cwiseQuotient(norms);
-  const double displacement_open = std::abs(by_displacement.sum() - energy(h, h.stiffness_rr(), h.stiffness_ii(), a));
-  const double velocity_open = std::abs(by_velocity.sum() - energy(h, h.mass_rr(), h.mass_ii(), b));
-  for (Index i = 0; i < n; ++i) {
-    if (!(displacement_open <= noticed * by_displacement(i)) && !(velocity_open <= noticed * by_velocity(i))) return false;
+  return {2 * squares(p.k_re, p.k_im, a).cwiseQuotient(norms), 2 * squares(p.m_re, p.m_im, b).cwiseProduct(s.omega.cwiseAbs2()).cwiseQuotient(norms)};
+}
+
+// ⟨z_−λ̄, z_λ⟩ = YᴴKX − λ²YᴴMX.
+Shares shares_of_unstable(const Impedance& h, const dense::UnstableRoots& roots, const Parts& a, const Parts& b) {
+  const Index count = roots.count();
+  Shares shares{Vector(count), Vector(count)};
+  if (count == 0) return shares;
+  const auto right = dense::characteristic_products(h, roots.right), left = dense::characteristic_products(h, roots.left);
+  const ComplexVector on_a = a.whole.cast<Complex>(), on_b = b.whole.cast<Complex>();
+  for (Index i = 0; i < count; ++i) {
+    const Complex lambda = roots.lambda[static_cast<std::size_t>(i)];
+    const double members = lambda.imag() == 0 ? 2 : 4;
+    const Complex norm = roots.left.col(i).dot(right.k.col(i)) - lambda * lambda * roots.left.col(i).dot(right.m.col(i));
+    shares.by_displacement(i) = members * (right.k.col(i).dot(on_a) * std::conj(left.k.col(i).dot(on_a) / norm)).real();
+    shares.by_velocity(i) = members * (std::conj(lambda) * right.m.col(i).dot(on_b) * std::conj(-lambda * left.m.col(i).dot(on_b) / norm)).real();
   }
-  return true;
+  return shares;
+}
+
+}  // namespace
+
+bool no_root_twice(const Impedance& h, const dense::Spectrum& s, const Products& p) {
+  constexpr double noticed = 1e-3;
+  const Index n = h.size();
+  if (!h.second_order() || s.stiffness_zero > 0 || s.omega.size() + s.divergent() + 2 * s.fluttering() != n) return false;
+  const Parts a(h, random_signs_and_sizes(n, 1979)), b(h, random_signs_and_sizes(n, 2026));
+  const Shares modes = shares_of_modes(h, s, p, a, b), unstable = shares_of_unstable(h, s.unstable, a, b);
+  const double displacement_open = std::abs(modes.by_displacement.sum() + unstable.by_displacement.sum() - energy(h, h.stiffness_rr(), h.stiffness_ii(), a));
+  const double velocity_open = std::abs(modes.by_velocity.sum() + unstable.by_velocity.sum() - energy(h, h.mass_rr(), h.mass_ii(), b));
+  const auto all_noticed = [&](const Shares& x) {
+    return ((x.by_displacement.array().abs() * noticed >= displacement_open) || (x.by_velocity.array().abs() * noticed >= velocity_open)).all();
+  };
+  return all_noticed(modes) && all_noticed(unstable);
 }
 
 }  // namespace gyromode

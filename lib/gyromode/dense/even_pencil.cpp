@@ -83,7 +83,7 @@ void expand(const Matrix& basis, std::vector<EvenRoot>& roots) {
 // One level: `p` is `whole` on the span of `basis` (`whole` itself where that is empty), λ and w its plain eigenpairs. Roots far below the largest are taken again in a basis of their span, on which the whole pencil is
 // projected, not this one: what is small in it keeps its digits.
 std::vector<EvenRoot> roots_of(const EvenPencil& whole, const EvenPencil& p, const Matrix& basis, const ComplexVector& lambda, const ComplexMatrix& w, int depth) {
-  constexpr double small_ratio = 1e-2;
+  constexpr double small_ratio = 1e-3;  // down to here shapes have the residual of rounding, to several hundred ε
   constexpr int deepest = 12;
   if (lambda.size() == 0) return {};
   const double largest = lambda.cwiseAbs().maxCoeff();

@@ -90,9 +90,14 @@ bool agrees(const std::vector<PencilRoot>& found, const ComplexVector& lambda) {
   return true;
 }
 
-ComplexVector partner_of(const std::vector<PencilRoot>& found, const PencilRoot& r) {
-  const auto at = std::find_if(found.begin(), found.end(), [&](const PencilRoot& other) { return other.value == std::conj(r.value); });
-  return at == found.end() ? r.y : at->y;
+// The left vector of root i, the vector of its mirror image. Roots that coincide to the last bit, as those of exact copies do, each take an image of their own.
+ComplexVector partner_of(const std::vector<PencilRoot>& found, std::size_t i) {
+  const Complex value = found[i].value;
+  auto before = std::count_if(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(i), [&](const PencilRoot& r) { return r.value == value; });
+  for (const PencilRoot& r : found) {
+    if (r.value == std::conj(value) && before-- == 0) return r.y;
+  }
+  return found[i].y;
 }
 
 // Roots of one group that may meet on the axis: the Hermitian pencil of 𝓔 and −j𝒮 on their span, W = QR, 𝓔Q = (𝓔W)R⁻¹.
@@ -109,10 +114,11 @@ bool resolve(const Upper& u, const std::vector<Index>& group, std::vector<EvenRo
   if (!a.allFinite() || !b.allFinite()) return false;
   const auto found = self_adjoint_pencil(a, b);
   if (!agrees(found, u.lambda(group))) return false;
-  for (const PencilRoot& root : found) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const PencilRoot& root = found[i];
     if (root.value.imag() > 0) continue;  // ω and ω̄ are one quadruple: keep Re λ = −Im ω > 0
     const Complex lambda(-root.value.imag(), root.value.real());
-    roots.push_back({lambda, q * root.y, lambda.real() == 0 ? ComplexVector() : ComplexVector(q * partner_of(found, root))});
+    roots.push_back({lambda, q * root.y, lambda.real() == 0 ? ComplexVector() : ComplexVector(q * partner_of(found, i))});
   }
   return true;
 }

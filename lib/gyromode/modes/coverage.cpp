@@ -124,8 +124,8 @@ Coverage coverage(const SolvedSystem& s, const Frequencies& f, const Window& req
     c.reason = fmt::format("{} modes were found, the factorisations count {}", c.found, *c.counted);
     return c;
   }
-  // Larger systems spend no factorisation on gaps where Parseval's identity has shown that no mode is listed twice: with as many as were counted none is missing then.
-  if (s.size > small && std::all_of(s.components.begin(), s.components.end(), [](const SolvedComponent& part) { return part.assessment.no_mode_twice; })) {
+  // Larger systems spend no factorisation on gaps where Parseval's identity has shown that no root is listed twice: with as many as there must be none is missing then.
+  if (s.size > small && std::all_of(s.components.begin(), s.components.end(), [](const SolvedComponent& part) { return part.assessment.no_root_twice; })) {
     c.status = CoverageStatus::complete;
     return c;
   }
