@@ -63,30 +63,21 @@ Vector Conjugation::applied(const Vector& x) const {
   return y;
 }
 
-ComplexMatrix Conjugation::left_factor(const Vector& x) const {
+ComplexMatrix Conjugation::times_blocks(const ComplexMatrix& a, const Vector& x) const {
   const Index m = size();
   const double half = std::sqrt(0.5);
-  ComplexMatrix y = ComplexMatrix::Zero(u_.rows(), u_.cols());  // Ū D
+  ComplexMatrix y = ComplexMatrix::Zero(a.rows(), a.cols());
   for (Index v = 0; v < m; ++v) {
     const auto [i, j] = unknowns_[static_cast<std::size_t>(v)];
     const Complex d = Complex(x(v), x(m + v)) * (i == j ? 1.0 : half);
-    y.col(j) += d * u_.col(i).conjugate();
-    if (i != j) y.col(i) += d * u_.col(j).conjugate();
+    y.col(j) += d * a.col(i);
+    if (i != j) y.col(i) += d * a.col(j);
   }
   return y;
 }
 
-ComplexMatrix Conjugation::element(const Vector& x) const {
-  const ComplexMatrix y = left_factor(x);
-  const Matrix y_re = y.real(), y_im = y.imag(), u_re = u_.real(), u_im = u_.imag();
-  ComplexMatrix z(u_.rows(), u_.rows());
-  z.real() = lapack::multiply_nt(y_re, u_re) + lapack::multiply_nt(y_im, u_im);
-  z.imag() = lapack::multiply_nt(y_im, u_re) - lapack::multiply_nt(y_re, u_im);
-  return z;
-}
-
 Matrix Conjugation::real_part(const Vector& x) const {
-  const ComplexMatrix y = left_factor(x);
+  const ComplexMatrix y = times_blocks(u_.conjugate(), x);
   const Matrix y_re = y.real(), y_im = y.imag(), u_re = u_.real(), u_im = u_.imag();
   Matrix re = lapack::multiply_nt(y_re, u_re);
   lapack::multiply_into(re, 1, y_im, false, u_im, true, 1);

@@ -44,9 +44,9 @@ class Conjugation {
   Matrix operator_matrix() const;
   void decompose_densely();
   void decompose_by_lanczos();
-  ComplexMatrix left_factor(const Vector& d) const;  // Ū D
-  ComplexMatrix element(const Vector& d) const;      // X = Ū D Uᴴ
+  ComplexMatrix times_blocks(const ComplexMatrix& a, const Vector& d) const;  // A D
   void sharpen();
+  Matrix imaginary_part(const Matrix& s, const Matrix& z) const;
 
   ComplexMatrix u_;
   std::vector<Cluster> clusters_;

@@ -4,8 +4,6 @@
 #include "gyromode/lapack/singular.h"
 #include "gyromode/lapack/symmetric.h"
 
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <cmath>
 
@@ -82,28 +80,43 @@ void Conjugation::decompose_by_lanczos() {
   vectors_ = lapack::multiply(q.leftCols(k), e.vectors);
 }
 
-// σ = 1 − ‖Im X‖²: eigenvalues tell ‖Im X‖ to √ε only. On the span of the vectors beside 1 the singular values of the linear map D ↦ Im X tell it to ε.
+// σ = 1 − ‖Im X‖²: eigenvalues tell ‖Im X‖ to √ε only. On the span of the vectors beside 1 the singular values of the linear map D ↦ Im X tell it to ε. They are those of D ↦ SᵀIm(X)Z with random
+// S and Z, p columns each, to a factor near 1, as p² is several times the dimension: a matrix of p² rows instead of n².
 void Conjugation::sharpen() {
-  constexpr double beside = 1e-5, work = 2e10;  // of the orthogonalisation, operations
-  const double n2 = static_cast<double>(u_.rows()) * static_cast<double>(u_.rows());
-  const Index most = std::max<Index>(8, static_cast<Index>(std::sqrt(work / (2 * n2))));
+  constexpr double beside = 1e-5;
+  constexpr Index most = 256;
   std::vector<Index> top;
   for (Index k = values_.size(); k-- > 0 && static_cast<Index>(top.size()) < most;) {
     if (values_(k) >= largest() - beside) top.push_back(k);
   }
-  const Index n = u_.rows();
-  Matrix imaginary(n * n, static_cast<Index>(top.size()));
-  for (std::size_t k = 0; k < top.size(); ++k) {
-    const Matrix part = element(vectors_.col(top[k])).imag();
-    imaginary.col(static_cast<Index>(k)) = part.reshaped();
-  }
-  const Eigen::HouseholderQR<Eigen::Ref<Matrix>> qr(imaginary);
-  const Index q = imaginary.cols();
-  const Matrix triangle = imaginary.topRows(q).triangularView<Eigen::Upper>();
-  const auto svd = lapack::singular_value_decomposition(triangle);
   const Matrix chosen = vectors_(Eigen::all, top);
+  const Index n = u_.rows();
+  const Index p = std::min(n, static_cast<Index>(std::sqrt(8.0 * static_cast<double>(top.size()))) + 8);
+  const auto svd = lapack::singular_value_decomposition(lapack::multiply(imaginary_part(gaussian(n * p, 3).reshaped(n, p), gaussian(n * p, 4).reshaped(n, p)), chosen));
   vectors_ = lapack::multiply_nt(chosen, svd.vt);
-  departures_ = svd.values;
+  departures_ = svd.values / static_cast<double>(p);
+}
+
+// (Re D, Im D) ↦ SᵀIm(X)Z, p² × 2 size().
+Matrix Conjugation::imaginary_part(const Matrix& s, const Matrix& z) const {
+  const Index m = size(), p = s.cols();
+  const double half = std::sqrt(0.5);
+  const auto both = [](const ComplexMatrix& u, const Matrix& a) {
+    ComplexMatrix product(a.cols(), u.cols());
+    product.real() = lapack::multiply_tn(a, u.real());
+    product.imag() = lapack::multiply_tn(a, u.imag());
+    return ComplexMatrix(product.conjugate());
+  };
+  const ComplexMatrix left = both(u_, s), right = both(u_, z);  // SᵀŪ, and (UᴴZ)ᵀ
+  Matrix map(p * p, 2 * m);
+  for (Index v = 0; v < m; ++v) {
+    const auto [i, j] = unknowns_[static_cast<std::size_t>(v)];
+    ComplexMatrix x = left.col(i) * right.col(j).transpose();
+    if (i != j) x = half * (x + left.col(j) * right.col(i).transpose()).eval();
+    map.col(v) = x.imag().reshaped();
+    map.col(m + v) = x.real().reshaped();
+  }
+  return map;
 }
 
 Matrix Conjugation::real_element(double spread, std::uint64_t seed) const {
@@ -113,6 +126,8 @@ Matrix Conjugation::real_element(double spread, std::uint64_t seed) const {
     const double decay = std::exp(-(departures_(k) - departures_.minCoeff()) / spread);
     if (decay > 1e-12) x += weight(k) * decay * vectors_.col(k);
   }
+  // With D its unitary factor solves D = W D̄ W, and gives the sign of X: without it a random combination of many solutions has eigenvalues near 0, whose sign is lost.
+  make_blocks_unitary(x);
   return real_part(x);
 }
 

@@ -2,9 +2,8 @@
 
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/symmetric.h"
+#include "gyromode/lapack/triangular.h"
 #include "gyromode/system/promise.h"
-
-#include <Eigen/QR>
 
 #include <cmath>
 
@@ -42,7 +41,7 @@ class Linearised {
 
 Matrix least_squares(const Linearised& a, Conditions residual) {
   constexpr int steps = 80;
-  constexpr double enough = 1e-7;  // of the gradient
+  constexpr double enough = 1e-4;  // of the gradient: the next turn goes on from there
   Matrix gradient = a.back(residual);
   Matrix theta = Matrix::Zero(gradient.rows(), gradient.cols());
   Matrix direction = gradient;
@@ -88,13 +87,28 @@ SignedBasis sign_of(const Matrix& x) {
   return {e.vectors.rightCols(x.rows() - r), e.vectors.leftCols(r), largest > 0 ? size.minCoeff() / largest : 0};
 }
 
-Reflection turned(const Matrix& k, const Matrix& gamma, Reflection r, double unit_k, double unit_gamma) {
+SignedBasis commuting_with(const Matrix& k, const Reflection& r, double noise) {
+  const auto e = lapack::symmetric_eigen(k);
+  const Matrix plus = multiply_tn(e.vectors, r.plus);
+  Matrix t = 2 * multiply_nt(plus, plus);
+  t.diagonal().array() -= 1;
+  for (Index j = 0; j < t.cols(); ++j) {
+    for (Index i = 0; i < t.rows(); ++i) {
+      if (std::abs(e.values(i) - e.values(j)) > noise) t(i, j) = 0;
+    }
+  }
+  SignedBasis signs = sign_of(t);
+  signs.plus = multiply(e.vectors, signs.plus);
+  signs.minus = multiply(e.vectors, signs.minus);
+  return signs;
+}
+
+Reflection turned(const Matrix& k, const Matrix& gamma, Reflection r, double unit_k, double unit_gamma, double enough) {
   constexpr int turns = 8;
   const auto size = [&](const Reflection& s) { return std::hypot(s.breach_k() / unit_k, s.breach_gamma() / unit_gamma); };
-  for (int turn = 0; turn < turns; ++turn) {
+  for (int turn = 0; turn < turns && size(r) > enough; ++turn) {
     const Matrix theta = least_squares(Linearised(r, unit_k, unit_gamma), {-r.k12 / unit_k, -r.gamma1 / unit_gamma, -r.gamma2 / unit_gamma});
-    const auto orthonormal = [](const Matrix& v) -> Matrix { return Eigen::HouseholderQR<Matrix>(v).householderQ() * Matrix::Identity(v.rows(), v.cols()); };
-    Reflection next(k, gamma, orthonormal(r.plus - multiply_nt(r.minus, theta)), orthonormal(r.minus + multiply(r.plus, theta)));
+    Reflection next(k, gamma, lapack::orthonormal_columns(r.plus - multiply_nt(r.minus, theta)), lapack::orthonormal_columns(r.minus + multiply(r.plus, theta)));
     const double gain = size(next) / size(r);
     if (!(gain < 1)) break;
     r = std::move(next);

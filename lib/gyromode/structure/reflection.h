@@ -23,9 +23,13 @@ struct SignedBasis {
 };
 SignedBasis sign_of(const Matrix& x);
 
+/// The reflection that commutes with k and is nearest to R: in the eigenvectors of k, entries of R between eigenvalues that differ by more than `noise` are left out, and the sign is taken. What k fixes
+/// to rounding it fixes exactly, however small its differences are beside ‖k‖; what is left to Γ is little to turn.
+SignedBasis commuting_with(const Matrix& k, const Reflection& r, double noise);
+
 /// R turned to make breach_k²/unit_k² + breach_gamma²/unit_gamma² least: V₊ − V₋θᵀ, V₋ + V₊θ with θ from the linearised conditions
 ///     k₁₂ + k₁θ − θk₂ = 0,   Γ₁ + θbᵀ − bθᵀ = 0,   Γ₂ − bᵀθ + θᵀb = 0
-/// in the sense of least squares, by conjugate gradients; a few turns at most, and only such as help.
-Reflection turned(const Matrix& k, const Matrix& gamma, Reflection r, double unit_k, double unit_gamma);
+/// in the sense of least squares, by conjugate gradients; a few turns at most, only such as help, and none once the root of that sum is `enough`.
+Reflection turned(const Matrix& k, const Matrix& gamma, Reflection r, double unit_k, double unit_gamma, double enough);
 
 }  // namespace gyromode

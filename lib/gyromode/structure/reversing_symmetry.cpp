@@ -81,22 +81,28 @@ class Search {
   bool near_miss() const { return best_->breach_k() <= near * s_.norm_k && best_->breach_gamma() <= near * s_.norm_gamma; }
 
   void consider(SignedBasis v) { take(Reflection(s_.k, s_.gamma, std::move(v.plus), std::move(v.minus))); }
-  /// By small angles, where they can do something.
+  /// By small angles, where they can do something: from where it stands, and from where it commutes with k.
   void turn() {
     constexpr double plain = 0.05;  // of what rounding may do: nothing to turn
-    if (worst(*best_) > plain && near_miss()) take(turned(s_.k, s_.gamma, *best_, unit_k_, unit_gamma_));
+    if (!(worst(*best_) > plain) || !near_miss()) return;
+    const double enough = plain * std::min(limit_k_ / unit_k_, limit_gamma_ / unit_gamma_);
+    const SignedBasis commuting = commuting_with(s_.k, *best_, safety * s_.noise_k);
+    if (commuting.plus.cols() == best_->plus.cols()) take(turned(s_.k, s_.gamma, Reflection(s_.k, s_.gamma, commuting.plus, commuting.minus), unit_k_, unit_gamma_, enough));
+    if (worst(*best_) > 1) take(turned(s_.k, s_.gamma, *best_, unit_k_, unit_gamma_, enough));
   }
   // Elements of the space of solutions, each a generic one, until one will do: where the space is a line to within `spread`, one is as good as another; where it is not, an unlucky draw can be
-  // nearly singular.
+  // nearly singular. Where a clear one of a wider spread is no better than those before, none will be.
   void draw(const Conjugation& conjugation, double noise) {
-    for (const double spread : {10 * noise, 1e-7, 1e-3}) {
-      for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    for (const double spread : {0.3 * noise, 3 * noise, 1e-7, 1e-3}) {
+      const double before = worst(*best_);
+      bool clear = false;
+      for (std::uint64_t seed = 1; seed <= 3 && !clear; ++seed) {
         SignedBasis v = sign_of(conjugation.real_element(spread, seed));
-        const bool clear = v.clearness > 0.1;
+        clear = v.clearness > 0.1;
         consider(std::move(v));
         if (found()) return;
-        if (clear) break;
       }
+      if (clear && spread > noise && !(worst(*best_) < before)) return;
     }
   }
 
