@@ -36,12 +36,13 @@ Window drawn_window(const support::Truth& t, std::mt19937_64& bits) {
 
 // In parts, so that they can run side by side.
 constexpr std::uint64_t parts = 4;
+constexpr double well_conditioned = 1e-12;  // a change of this part of each matrix leaves the verdict
 class HostileSystems : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(HostileSystems, NothingFalseIsClaimed) {
   const std::uint64_t count = from_environment("GYROMODE_HOSTILE", 2000) / parts, first = from_environment("GYROMODE_HOSTILE_FIRST", 0) + GetParam() * count;
   const bool verbose = std::getenv("GYROMODE_HOSTILE_VERBOSE") != nullptr;
-  std::uint64_t false_claims = 0, refused = 0, evaded = 0, twin_failed = 0;
+  std::uint64_t false_claims = 0, refused = 0, avoidable = 0, evaded = 0, twin_failed = 0;
   std::vector<double> tightness;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const support::HostileSystem h = support::hostile_system(seed);
@@ -67,17 +68,19 @@ TEST_P(HostileSystems, NothingFalseIsClaimed) {
         ++false_claims;
         if (verbose || false_claims <= 20) ADD_FAILURE() << h.description << fmt::format(", window [{:.17g}, {:.17g}): ", options.window.a, options.window.b) << f.text;
       } else if (f.refused || f.evaded) {
-        if (verbose) fmt::print("{}: {}\n", f.refused ? "refused" : "marginal", h.description);
+        if (verbose) fmt::print("{}: {}, {:.2g} from another verdict\n", f.refused ? "refused" : "marginal", h.description, truth.distance);
       }
       refused += f.refused ? 1 : 0;
+      avoidable += f.refused && truth.distance > well_conditioned ? 1 : 0;
       evaded += f.evaded ? 1 : 0;
     }
   }
   std::sort(tightness.begin(), tightness.end());
-  fmt::print("{} systems: {} false claims, {} refused, {} marginal where the truth is decided, {} without truth, bound over error {:.3g} in the median, {:.3g} at 90 %\n", count, false_claims, refused,
-             evaded, twin_failed, tightness.empty() ? 0 : tightness[tightness.size() / 2], tightness.empty() ? 0 : tightness[tightness.size() * 9 / 10]);
+  fmt::print("{} systems: {} false claims, {} refused, {} of them farther than {:g} from another verdict, {} marginal where the truth is decided, {} without truth, bound over error {:.3g} in the median, {:.3g} at 90 %\n", count, false_claims, refused,
+             avoidable, well_conditioned, evaded, twin_failed, tightness.empty() ? 0 : tightness[tightness.size() / 2], tightness.empty() ? 0 : tightness[tightness.size() * 9 / 10]);
   EXPECT_EQ(false_claims, 0u);
-  EXPECT_LE(refused, 2 + 2 * count / 1000);  // two windows a system; most of these are within 1e-14 of another verdict
+  EXPECT_LE(refused, 4 + 2 * count / 500);        // two windows a system
+  EXPECT_LE(avoidable, 2 + 2 * count / 10000);
   ASSERT_FALSE(tightness.empty());
   EXPECT_LE(tightness[tightness.size() / 2], 100);
 }

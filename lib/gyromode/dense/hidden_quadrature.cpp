@@ -5,11 +5,14 @@
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/structure/definiteness.h"
+#include "gyromode/structure/ranked_skew.h"
 #include "gyromode/system/promise.h"
+#include "gyromode/system/scale.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace gyromode::dense {
 
@@ -40,13 +43,19 @@ Group with_null_space(const Matrix& basis, const Matrix& k, const Matrix& null) 
   return g;
 }
 
-// What the coupling makes of the two null spaces, without what is rounding of b.
-Matrix turned_coupling(const Matrix& b, const Group& one, const Group& two) {
+// b in the coordinates of the groups. What it makes of the two null spaces is NᵀGN of the given matrices, whose rank is decided there, by the terms of its entries; no value where the entries here have another one.
+std::optional<Matrix> turned_coupling(const SecondOrder& m, const Matrix& null, const Matrix& b, const Group& one, const Group& two) {
   Matrix turned = lapack::multiply_tn(one.turn, lapack::multiply(b, two.turn));
-  const double rounding = 8 * static_cast<double>(b.rows() + b.cols()) * std::numeric_limits<double>::epsilon() * b.norm();
   auto corner = turned.bottomRightCorner(one.d.zero, two.d.zero);
-  corner = (corner.array().abs() <= rounding).select(0, corner).eval();
-  return turned;
+  if (corner.size() == 0) return turned;
+  const Matrix terms_of_g = entry_scale(m.gyroscopic);
+  const double many = 8 * static_cast<double>(m.size()) * std::numeric_limits<double>::epsilon();
+  const Matrix terms = one.basis.rightCols(one.d.zero).cwiseAbs().transpose() * terms_of_g * two.basis.rightCols(two.d.zero).cwiseAbs();
+  corner = (corner.array().abs() <= many * terms.array()).select(0, corner).eval();
+  const RankedSkew given = ranked_skew(skew_part(null.transpose() * m.gyroscopic * null), null.cwiseAbs().transpose() * terms_of_g * null.cwiseAbs());
+  const Vector values = lapack::singular_value_decomposition(corner).values;
+  const Index rank = (values.array() > many * terms.maxCoeff()).count();
+  return 2 * rank == static_cast<Index>(given.regular.size()) ? std::optional(turned) : std::nullopt;
 }
 
 // null(K) falls into its parts in the two groups: the singular values of an orthonormal basis restricted to the first are 1 and 0.
@@ -76,8 +85,11 @@ bool solve_second_order(const SecondOrder& m, const ReversingSymmetry& r, Spectr
   const Group one = with_null_space(r.in_phase, r.stiffness1, null.first), two = with_null_space(r.in_quadrature, r.stiffness2, null.second);
   if (one.d.negative + two.d.negative != d.negative || one.d.zero + two.d.zero != d.zero) return false;
 
+  const auto coupling = turned_coupling(m, d.null_space, r.coupling, one, two);
+  if (!coupling) return false;
+
   s.split = p;
-  solve_second_order(SecondOrderQuadrature{Matrix::Identity(p, p), Matrix::Identity(q, q), turned_coupling(r.coupling, one, two), one.k, two.k}, one.d, two.d, s);
+  solve_second_order(SecondOrderQuadrature{Matrix::Identity(p, p), Matrix::Identity(q, q), *coupling, one.k, two.k}, one.d, two.d, s);
   s.split = -1;
   s.stiffness_margin = d.margin;
   s.rank_doubtful = d.doubtful;

@@ -20,9 +20,6 @@ class Elimination {
   Elimination(Matrix s, Matrix terms) : s_(std::move(s)), terms_(std::move(terms)), n_(s_.rows()), l_(Matrix::Zero(n_, n_)), order_(static_cast<std::size_t>(n_)) {
     std::iota(order_.begin(), order_.end(), Index{0});
     zero_ = 8 * static_cast<double>(n_) * epsilon;
-    for (Index k = 0; k < n_; ++k) {
-      for (Index i = 0; i < n_; ++i) drop_rounding(i, k);
-    }
   }
 
   void run(RankedFactor& f) {
@@ -38,7 +35,9 @@ class Elimination {
       at += width;
     }
     rank_ = at;
-    f.largest_dropped = largest_dropped_;
+    for (Index k = at; k < n_; ++k) {
+      for (Index i = at; i < n_; ++i) f.largest_dropped = std::max(f.largest_dropped, ratio(i, k));
+    }
     f.regular.assign(order_.begin(), order_.begin() + at);
     f.free.assign(order_.begin() + at, order_.end());
   }
@@ -56,13 +55,10 @@ class Elimination {
   }
 
  private:
-  void drop_rounding(Index i, Index k) {
-    if (s_(i, k) == 0) return;
-    const double ratio = std::abs(s_(i, k)) / terms_(i, k);
-    if (ratio > zero_) return;
-    largest_dropped_ = std::max(largest_dropped_, ratio);
-    s_(i, k) = 0;
-  }
+  double ratio(Index i, Index k) const { return s_(i, k) == 0 ? 0 : std::abs(s_(i, k)) / terms_(i, k); }
+
+  // What is no more than rounding is no pivot. It stays where it is: to put zeros in its place would be an error of 8nε in every entry, and the pivots that follow would be that.
+  double size(Index i, Index k) const { return ratio(i, k) > zero_ ? std::abs(s_(i, k)) : 0; }
 
   void exchange(Index a, Index b) {
     if (a == b) return;
@@ -80,13 +76,13 @@ class Elimination {
     Index diagonal = at, row = at, column = at;
     double on = 0, off = 0;
     for (Index k = at; k < n_; ++k) {
-      if (std::abs(s_(k, k)) > on) {
-        on = std::abs(s_(k, k));
+      if (size(k, k) > on) {
+        on = size(k, k);
         diagonal = k;
       }
       for (Index i = k + 1; i < n_; ++i) {
-        if (std::abs(s_(i, k)) > off) {
-          off = std::abs(s_(i, k));
+        if (size(i, k) > off) {
+          off = size(i, k);
           row = i;
           column = k;
         }
@@ -115,8 +111,6 @@ class Elimination {
       for (Index i = k; i < n_; ++i) {
         s_(i, k) = s_(k, i) = 0.5 * (s_(i, k) + s_(k, i));
         terms_(i, k) = terms_(k, i) = std::max(terms_(i, k), terms_(k, i));
-        drop_rounding(i, k);
-        if (s_(i, k) == 0) s_(k, i) = 0;
       }
     }
   }
@@ -126,7 +120,7 @@ class Elimination {
   Matrix l_;
   std::vector<Index> order_;
   Index rank_ = 0;
-  double zero_ = 0, largest_dropped_ = 0;
+  double zero_ = 0;
 };
 
 }  // namespace

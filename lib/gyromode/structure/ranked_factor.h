@@ -6,7 +6,7 @@
 
 namespace gyromode {
 
-/// What a symmetric matrix K is, entry by entry: P K Pᵀ = L D Lᵀ with complete pivoting (Bunch & Parlett 1971), where an entry of a Schur complement is zero once it is below rounding of the terms that it is
+/// What a symmetric matrix K is, entry by entry: P K Pᵀ = L D Lᵀ with complete pivoting (Bunch & Parlett 1971), which ends where all that is left of a Schur complement is below rounding of the terms that it is
 /// made of. Each entry is judged by its own terms, so units and gradings of the coordinates do not matter, and a small pivot that nothing was subtracted from is as good as a large one.
 struct RankedFactor {
   Index negative = 0, positive = 0;
@@ -14,7 +14,7 @@ struct RankedFactor {
   std::vector<Index> free;     ///< the other coordinates: as many as K has zero eigenvalues
   Matrix null_space;           ///< n × free: KN = 0, the unit matrix in the rows `free`
   double smallest_kept = 1;    ///< of all pivots the least |pivot| / (sum of the sizes of its terms): 1 where nothing cancelled
-  double largest_dropped = 0;  ///< of all entries taken as zero the largest such ratio
+  double largest_dropped = 0;  ///< of all entries of what is left the largest such ratio
 
   Index zero() const { return static_cast<Index>(free.size()); }
   /// Whether a pivot is so near to rounding that another program could call it zero: kept ratios below 64 n ε.

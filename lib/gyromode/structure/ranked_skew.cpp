@@ -14,11 +14,12 @@ struct Pivot {
   double size = 0;
 };
 
-Pivot largest(const Matrix& s, Index from) {
+// What is no more than `zero` of its terms is no pivot, and stays where it is (see ranked_factor.cpp).
+Pivot largest(const Matrix& s, const Matrix& terms, double zero, Index from) {
   Pivot p;
   for (Index k = from; k < s.cols(); ++k) {
     for (Index i = k + 1; i < s.rows(); ++i) {
-      if (std::abs(s(i, k)) > p.size) p = {i, k, std::abs(s(i, k))};
+      if (std::abs(s(i, k)) > p.size && std::abs(s(i, k)) > zero * terms(i, k)) p = {i, k, std::abs(s(i, k))};
     }
   }
   return p;
@@ -43,17 +44,9 @@ RankedSkew ranked_skew(Matrix s, Matrix terms) {
     t.col(a).swap(t.col(b));
     std::swap(order[static_cast<std::size_t>(a)], order[static_cast<std::size_t>(b)]);
   };
-  const auto drop_rounding = [&](Index from) {
-    for (Index k = from; k < n; ++k) {
-      for (Index i = from; i < n; ++i) {
-        if (std::abs(s(i, k)) <= zero * terms(i, k)) s(i, k) = 0;
-      }
-    }
-  };
-  drop_rounding(0);
   Index at = 0;
   for (; at + 1 < n; at += 2) {
-    const Pivot p = largest(s, at);
+    const Pivot p = largest(s, terms, zero, at);
     if (p.size == 0) break;
     exchange(at, p.k);
     exchange(at + 1, p.i);  // p.i > p.k ≥ at
@@ -65,7 +58,6 @@ RankedSkew ranked_skew(Matrix s, Matrix terms) {
     t.row(at + 1).tail(rest) = -b1.transpose() / g;
     s.bottomRightCorner(rest, rest) += (b1 * b2.transpose() - b2 * b1.transpose()) / g;
     terms.bottomRightCorner(rest, rest) += (b1.cwiseAbs() * b2.cwiseAbs().transpose() + b2.cwiseAbs() * b1.cwiseAbs().transpose()) / std::abs(g);
-    drop_rounding(at + 2);
   }
   f.regular.assign(order.begin(), order.begin() + at);
   f.free.assign(order.begin() + at, order.end());

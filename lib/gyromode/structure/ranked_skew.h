@@ -6,7 +6,7 @@
 
 namespace gyromode {
 
-/// What a real skew matrix S is, entry by entry: pairs of pivots ±g by complete pivoting, an entry of a Schur complement being zero once it is below rounding of the terms that it is made of (as in RankedFactor). The
+/// What a real skew matrix S is, entry by entry: pairs of pivots ±g by complete pivoting, until all that is left is below rounding of the terms that it is made of (as in RankedFactor). The
 /// zero pattern of a partition (S couples two groups, and nothing within one) is kept.
 struct RankedSkew {
   std::vector<Index> regular;  ///< the pivots, two by two: S restricted to them is regular
