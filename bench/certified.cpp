@@ -6,6 +6,7 @@
 
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/modes.h"
+#include "gyromode/modes/stability_margin.h"
 
 #include <fmt/format.h>
 
@@ -69,18 +70,23 @@ std::vector<Row> certified_rows(const RowOptions& options) {
 
 std::vector<Row> growth_rows(const RowOptions& options) {
   std::vector<Row> rows;
+  const std::vector<std::pair<const char*, std::function<void(const System&)>>> verbs{
+      {"modes with shapes", [](const System& s) { find_modes(s, with_shapes()); }},
+      {"count", [](const System& s) { count_modes(s, {0, 1}); }},
+      {"structure", [](const System& s) { analyse(s, HiddenSearch::always); }},
+      {"stability margin", [](const System& s) { stiffness_margin(s); }}};
   const auto of = [&](const char* what, const std::function<System(Index)>& made) {
     for (const Index order : {200, 400, 800, 1600}) {
       const Index n = scaled_order(order, options), half = scaled_order(order / 2, options);
       const System whole = made(n), part = made(half);
-      rows.push_back(growth(fmt::format("{}, modes with shapes, n = {}", what, n), whole, part, [](const System& s) { find_modes(s, with_shapes()); }, order > 500 ? 1 : 3));
-      rows.push_back(growth(fmt::format("{}, count, n = {}", what, n), whole, part, [](const System& s) { count_modes(s, {0, 1}); }, order > 500 ? 1 : 3));
+      for (const auto& [verb, call] : verbs) rows.push_back(growth(fmt::format("{}, {}, n = {}", what, verb, n), whole, part, call, order > 500 ? 1 : 3));
     }
   };
   of("quadrature, K > 0", [](Index n) { return quadrature_definite(n, 1e3, seed); });
   of("general, K > 0", [](Index n) { return general_definite(n, seed); });
   of("quadrature, both blocks indefinite", [](Index n) { return quadrature_indefinite(n, Balance::mixed, seed); });
   of("general, K indefinite", [](Index n) { return general_indefinite(n, Regime::plain, seed); });
+  of("spinning beam", [](Index n) { return general_indefinite(n, Regime::beam, seed); });
   return rows;
 }
 

@@ -107,7 +107,30 @@ Truth truth_of(const HostileSystem& h) {
   return t;
 }
 
-Faults compare(const ModesResult& r, const Truth& t, std::vector<double>* tightness) {
+namespace {
+
+// An undecided pair, two modes of sign 0, may be two modes, a defective root, or flutter that a backward error can undo: the program says so and does not pick a side. True flutter whose growth is within the bound of such a
+// pair, and below 1e-6 of its frequency, counts as that pair.
+Truth with_undecided_pairs(const ModesResult& r, Truth t) {
+  const auto is_pair = [&](const std::pair<double, double>& root) {
+    const auto [sigma, omega] = root;
+    const auto found = std::count_if(r.negative_modes.begin(), r.negative_modes.end(), [&, sigma = sigma, omega = omega](const Mode& m) {
+      return m.energy_sign == 0 && std::abs(m.omega - omega) <= m.error_bound && sigma <= m.error_bound && sigma <= 1e-6 * omega;
+    });
+    return found >= 2;
+  };
+  for (const auto& root : t.flutter) {
+    if (is_pair(root)) t.modes.insert(t.modes.end(), 2, {root.second, 0});
+  }
+  std::erase_if(t.flutter, is_pair);
+  std::stable_sort(t.modes.begin(), t.modes.end(), [](const auto& a, const auto& b) { return a.omega < b.omega; });
+  return t;
+}
+
+}  // namespace
+
+Faults compare(const ModesResult& r, const Truth& truth, std::vector<double>* tightness) {
+  const Truth t = with_undecided_pairs(r, truth);
   Faults f;
   const bool decided = r.stability != Stability::unknown && r.stability != Stability::marginal;
   if (decided && r.stability != t.stability) {

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
 #include <cmath>
 #include <limits>
 #include <random>
@@ -62,6 +65,37 @@ TEST_P(FlutterShapes, AnnihilateTheCharacteristicMatrix) {
     }
   }
   EXPECT_GT(seen, 20);
+}
+
+// Exact copies in coordinates that hide them: roots that coincide to the last bit have as many left as right vectors.
+TEST(UnstableShapes, CopiesHaveLeftVectorsOfTheirOwn) {
+  std::mt19937_64 random(29);
+  Index seen = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Index own = 6, n = 2 * own;
+    const Matrix a = gaussian(own, own, random), b = gaussian(own, own, random);
+    const Matrix t = Eigen::HouseholderQR<Matrix>(gaussian(n, n, random)).householderQ();
+    const auto twice = [&](const Matrix& one) {
+      Matrix two = Matrix::Zero(n, n);
+      two.topLeftCorner(own, own) = two.bottomRightCorner(own, own) = one;
+      return Matrix(t * two * t.transpose());
+    };
+    const System s(Matrix::Identity(n, n), skew_part(twice(a - a.transpose())), symmetric_part(twice(b + b.transpose())));
+    for (const Component& component : analyse(s).components) {
+      const Spectrum spectrum = solve(s, component, Method::general);
+      const auto& roots = spectrum.unstable;
+      for (Index i = 0; i < roots.count(); ++i) {
+        for (Index k = i + 1; k < roots.count(); ++k) {
+          if (std::abs(roots.lambda[static_cast<std::size_t>(i)] - roots.lambda[static_cast<std::size_t>(k)]) > 1e-9) continue;
+          ++seen;
+          ComplexMatrix left(n, 2);
+          left << roots.left.col(i).normalized(), roots.left.col(k).normalized();
+          EXPECT_GT(Eigen::JacobiSVD<ComplexMatrix>(left).singularValues()(1), 1e-3) << "trial " << trial << ", roots " << roots.lambda[static_cast<std::size_t>(i)] << " and " << roots.lambda[static_cast<std::size_t>(k)];
+        }
+      }
+    }
+  }
+  EXPECT_GT(seen, 60);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FlutterShapes,

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace gyromode::dense {
 
@@ -36,7 +38,7 @@ double gap_below(const ComplexVector& lambda, double limit) {
   return wide_place > 0 ? wide_place : place;
 }
 
-// For every real root σ > 0 a root −σ, no two the same.
+// For every real root σ > 0 a root −σ, no two the same; the root itself where there is none left.
 std::vector<std::pair<Index, Index>> real_pairs(const ComplexVector& lambda, const std::vector<Index>& real) {
   std::vector<Index> positive, negative;
   for (const Index i : real) (lambda(i).real() > 0 ? positive : negative).push_back(i);
@@ -44,14 +46,17 @@ std::vector<std::pair<Index, Index>> real_pairs(const ComplexVector& lambda, con
   std::sort(positive.begin(), positive.end(), by_size);
   std::sort(negative.begin(), negative.end(), by_size);
   std::vector<std::pair<Index, Index>> pairs;
-  for (std::size_t k = 0; k < positive.size(); ++k) {
-    Index partner = k < negative.size() ? negative[k] : positive[k];
-    if (positive.size() != negative.size()) {  // one of a pair is elsewhere: the nearest
-      for (const Index i : negative) {
-        if (std::abs(lambda(i) + lambda(positive[k])) < std::abs(lambda(partner) + lambda(positive[k]))) partner = i;
-      }
+  for (const Index i : positive) {
+    auto partner = negative.empty() ? negative.end() : negative.begin();
+    if (positive.size() != negative.size() + pairs.size()) {  // one of a pair is elsewhere: the nearest
+      partner = std::min_element(negative.begin(), negative.end(), [&](Index a, Index b) { return std::abs(lambda(a) + lambda(i)) < std::abs(lambda(b) + lambda(i)); });
     }
-    pairs.emplace_back(positive[k], partner);
+    if (partner == negative.end()) {
+      pairs.emplace_back(i, i);
+      continue;
+    }
+    pairs.emplace_back(i, *partner);
+    negative.erase(partner);
   }
   return pairs;
 }
@@ -80,12 +85,38 @@ void expand(const Matrix& basis, std::vector<EvenRoot>& roots) {
   }
 }
 
+// A double real root comes from rounding as two real roots or as a conjugate pair beside the axis, and its mirror image may come as the other. A pair to rounding, λ and λ̄ side by side, is made two real roots with the
+// real and the imaginary part of the vector, which span the same.
+struct PlainRoots {
+  ComplexVector lambda;
+  ComplexMatrix w;
+};
+std::optional<PlainRoots> with_double_roots_real(const ComplexVector& lambda, const ComplexMatrix& w) {
+  const double rounding = 16 * static_cast<double>(lambda.size()) * std::numeric_limits<double>::epsilon() * lambda.cwiseAbs().maxCoeff();
+  std::optional<PlainRoots> changed;
+  for (Index i = 0; i + 1 < lambda.size(); ++i) {
+    const double im = std::abs(lambda(i).imag());
+    if (im == 0 || im > rounding || std::abs(lambda(i).real()) <= 100 * rounding || lambda(i + 1) != std::conj(lambda(i))) continue;
+    if (!changed) changed = PlainRoots{lambda, w};
+    const Vector re = w.col(i).real().normalized(), part = w.col(i).imag(), across = part - re.dot(part) * re;
+    if (!(across.norm() > 1e-6)) continue;
+    changed->lambda(i) = changed->lambda(i + 1) = lambda(i).real();
+    changed->w.col(i) = re.cast<Complex>();
+    changed->w.col(i + 1) = across.normalized().cast<Complex>();
+    ++i;
+  }
+  return changed;
+}
+
 // One level: `p` is `whole` on the span of `basis` (`whole` itself where that is empty), λ and w its plain eigenpairs. Roots far below the largest are taken again in a basis of their span, on which the whole pencil is
 // projected, not this one: what is small in it keeps its digits.
-std::vector<EvenRoot> roots_of(const EvenPencil& whole, const EvenPencil& p, const Matrix& basis, const ComplexVector& lambda, const ComplexMatrix& w, int depth) {
+std::vector<EvenRoot> roots_of(const EvenPencil& whole, const EvenPencil& p, const Matrix& basis, const ComplexVector& plain_lambda, const ComplexMatrix& plain_w, int depth) {
   constexpr double small_ratio = 1e-3;  // down to here shapes have the residual of rounding, to several hundred ε
   constexpr int deepest = 12;
-  if (lambda.size() == 0) return {};
+  if (plain_lambda.size() == 0) return {};
+  const auto changed = with_double_roots_real(plain_lambda, plain_w);
+  const ComplexVector& lambda = changed ? changed->lambda : plain_lambda;
+  const ComplexMatrix& w = changed ? changed->w : plain_w;
   const double largest = lambda.cwiseAbs().maxCoeff();
   const double limit = depth < deepest ? gap_below(lambda, small_ratio * largest) : 0;
   std::vector<Index> small, real, upper;
