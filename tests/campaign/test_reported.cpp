@@ -1,6 +1,7 @@
 // Small systems on which false claims were made once, each standing for a family; the families are in test_hostile.cpp.
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/modes.h"
+#include "gyromode/system/promise.h"
 
 #include <gtest/gtest.h>
 
@@ -161,6 +162,41 @@ TEST(Reported, WellConditionedSystemsAreCertified) {
 }
 
 // Coordinates in units 2^±20: windows of first-order models stay where they are asked.
+// A free ring of m masses in its plane, in axes that turn with it at Ω = 1, its springs drawn by the centrifugal force: one zero mode (rotation), and a defective double root at Ω (translation in axes at rest).
+System free_ring(Index m, double stiffness) {
+  const double pi = std::acos(-1.0), mass = 1.0 / static_cast<double>(m), tension = mass / (2 * std::sin(pi / static_cast<double>(m)));
+  const auto place = [&](Index i) { return Eigen::Vector2d(std::cos(2 * pi * static_cast<double>(i) / static_cast<double>(m)), std::sin(2 * pi * static_cast<double>(i) / static_cast<double>(m))); };
+  Matrix k = Matrix::Zero(2 * m, 2 * m), g = Matrix::Zero(2 * m, 2 * m);
+  const auto spring = [&](Index i, Index j, double along, double pull) {
+    const Eigen::Vector2d d = place(j) - place(i), u = d.normalized();
+    const Eigen::Matrix2d b = along * u * u.transpose() + pull / d.norm() * (Eigen::Matrix2d::Identity() - u * u.transpose());
+    k.block<2, 2>(2 * i, 2 * i) += b;
+    k.block<2, 2>(2 * j, 2 * j) += b;
+    k.block<2, 2>(2 * i, 2 * j) -= b;
+    k.block<2, 2>(2 * j, 2 * i) -= b;
+  };
+  for (Index i = 0; i < m; ++i) {
+    spring(i, (i + 1) % m, stiffness, tension);
+    spring(i, (i + 2) % m, 0.5 * stiffness, 0);
+    g(2 * i + 1, 2 * i) = 2 * mass;
+    g(2 * i, 2 * i + 1) = -2 * mass;
+  }
+  return System(mass * one(2 * m), g, symmetric_part(k - mass * one(2 * m)));
+}
+
+TEST(Reported, FreeRingsInTurningAxes) {
+  for (const Index m : {10, 20, 40, 60, 80, 160}) {
+    for (const double stiffness : {1.0, 100.0}) {
+      const ModesResult r = find_modes(free_ring(m, stiffness));
+      EXPECT_EQ(r.coverage.status, CoverageStatus::complete) << m << ": " << r.coverage.reason;
+      EXPECT_EQ(r.stability, Stability::marginal) << m;
+      EXPECT_TRUE(r.unstable.empty()) << m;
+      EXPECT_EQ(std::count_if(r.modes.begin(), r.modes.end(), [](const Mode& mode) { return mode.omega == 0; }), 1) << m;
+      EXPECT_EQ(std::count_if(r.modes.begin(), r.modes.end(), [](const Mode& mode) { return std::abs(mode.omega - 1) <= std::min(mode.error_bound, 1e-3) && mode.energy_sign == 0; }), 2) << m;
+    }
+  }
+}
+
 TEST(Reported, MixedUnitsOfFirstOrder) {
   const Matrix inertia = Matrix{{2, 1, 0, 0}, {1, 3, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 2}}, g{{0, 1, 4, 0}, {-1, 0, 2, 3}, {-4, -2, 0, 1}, {0, -3, -1, 0}};
   const ModesResult plain = find_modes(FirstOrderSystem(inertia, g));
