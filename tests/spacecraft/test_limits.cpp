@@ -160,6 +160,14 @@ TEST(Limits, RigidBody) {
   EXPECT_NEAR(middle.unstable[0].growth_rate, spin * std::sqrt(1.0 * 1 / 24), 1e-13);
   EXPECT_EQ(middle.unstable[0].omega, 0);
   EXPECT_EQ(middle.coverage.status, CoverageStatus::complete);
+  for (const double b : {4.1, 5.0, 5.9, 5.999, 5.99999}) {  // of inertias 4, 6, b: ever slower
+    const ModesResult r = result(4, 6, b);
+    ASSERT_EQ(r.unstable.size(), 1u) << b;
+    const double truth = spin * std::sqrt((6 - b) * (b - 4) / 24), epsilon = std::numeric_limits<double>::epsilon();
+    EXPECT_LE(std::abs(r.unstable[0].growth_rate - truth), r.unstable[0].error_bound + 4 * epsilon * truth) << b;
+    EXPECT_LE(r.unstable[0].error_bound, 1e-13 * spin * spin / truth) << b;
+    EXPECT_LE(r.unstable[0].residual, 1e-8) << b;
+  }
 }
 
 // Booms on a body that only spins: wires on the axis by their closed form, an axisymmetric boom at its cantilever frequencies ± Ω, a mass on springs at √(k/m) ± Ω.

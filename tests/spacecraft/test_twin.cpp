@@ -154,6 +154,9 @@ TEST(RandomSatellites, GrowthRatesAreThoseOfTheTwin) {
     const WithoutSpinPhase twin(discretise(s, {1, 14}), spin_phase_of_twin);
     const ModesResult fine = find_modes(low_modes(twin.system(), 200 * s.spin()));
     for (const UnstableMode& u : exact.unstable) {
+      EXPECT_LE(u.residual, 1e-9) << seed;
+      EXPECT_GT(u.error_bound, 0) << seed;
+      EXPECT_LE(u.error_bound, 1e-6 * std::hypot(u.growth_rate, u.omega)) << seed;
       double nearest = 1;
       for (const UnstableMode& f : fine.unstable) nearest = std::min(nearest, std::hypot(f.growth_rate - u.growth_rate, f.omega - u.omega) / std::hypot(u.growth_rate, u.omega));
       EXPECT_LE(nearest, 2e-5) << "seed " << seed << ": " << u.growth_rate / s.spin() << " + j " << u.omega / s.spin();

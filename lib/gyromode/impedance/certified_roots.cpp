@@ -13,7 +13,10 @@ CertifiedRoots::CertifiedRoots(const LiftedImpedance& impedance, const std::vect
   if (!indefinite()) return;
   for (Index b = 0; b < static_cast<Index>(blocked_.blocks.size()); ++b) {
     if (missing(b) <= 0) continue;
-    for (const GrowingRoot& g : divergences(blocked_, b)) growing_.push_back(g);
+    for (GrowingRoot& g : divergences(blocked_, b)) {
+      measure(blocked_, g);
+      growing_.push_back(g);
+    }
     if (missing(b) > 0) add(falls(blocked_, b, samples_of_all_decades()));
   }
   for (Index attempt = 0; !closed(); ++attempt) {

@@ -74,7 +74,7 @@ std::vector<GrowingRoot> divergences(const BlockedImpedance& h, Index block) {
     if (sign_before != 0 && here != sign_before) {
       const double root = bisected(sign, before, sigma, sign_before > 0);
       constexpr double singular = 1e5;  // a root, not a pole
-      if (relative_singularity(equilibrated_block(h, b, Complex(0, -root))) <= singular * h.impedance.rounding(root)) found.push_back({block, root, 0, b.copies()});
+      if (relative_singularity(equilibrated_block(h, b, Complex(0, -root))) <= singular * h.impedance.rounding(root)) found.push_back({block, root, 0, b.copies(), 0, 0});
     }
     before = sigma;
     sign_before = here;

@@ -9,6 +9,8 @@ struct GrowingRoot {
   Index block = 0;
   double growth = 0, omega = 0;
   Index copies = 1;
+  double residual = 0;  ///< |μ / (λ μ′)|, μ the singular value of the block that vanishes: how far the root is, relative to |λ|, as far as μ tells
+  double error = 0;     ///< on |δλ|, to first order: (|μ| + rounding) / |μ′|
 };
 
 /// Real roots λ = σ > 0 of one block, ascending.

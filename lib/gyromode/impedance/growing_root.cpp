@@ -72,7 +72,23 @@ std::optional<GrowingRoot> growing_root(const BlockedImpedance& h, Index block, 
   if (!settled || !(growth > certainty * rounding * size) || omega < 0) return std::nullopt;
   if (!resolved(h, b, z, divergence, u, v)) return std::nullopt;
   if (!(relative_singularity(equilibrated_block(h, b, z)) <= 1e5 * rounding)) return std::nullopt;
-  return GrowingRoot{block, growth, omega, b.copies()};
+  GrowingRoot root{block, growth, omega, b.copies(), 0, 0};
+  measure(h, root);
+  return root;
+}
+
+void measure(const BlockedImpedance& h, GrowingRoot& root) {
+  constexpr double part = 1e-5;  // of λ: the step of the differences, whose error is its square
+  const Block& b = h.blocks[static_cast<std::size_t>(root.block)];
+  const Complex z(root.omega, -root.growth);
+  const ComplexMatrix a = block_at(h, b, z);
+  const Eigen::JacobiSVD<ComplexMatrix> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const ComplexVector u = svd.matrixU().rightCols(1), v = svd.matrixV().rightCols(1);
+  const Complex step = part * z;
+  const double slope = std::abs(bordered(block_at(h, b, z + step), u, v) - bordered(block_at(h, b, z - step), u, v)) / (2 * std::abs(step));
+  const double size = std::abs(bordered(a, u, v));
+  root.residual = size / (std::abs(z) * slope);
+  root.error = (size + h.impedance.rounding(std::abs(z)) * std::max(1.0, a.cwiseAbs().maxCoeff())) / slope;
 }
 
 }  // namespace gyromode

@@ -12,4 +12,7 @@ namespace gyromode {
 /// real λ stays real (divergence).
 std::optional<GrowingRoot> growing_root(const BlockedImpedance& h, Index block, Complex seed);
 
+/// Fills residual and error of a root: g of growing_root() there, and its slope by central differences.
+void measure(const BlockedImpedance& h, GrowingRoot& root);
+
 }  // namespace gyromode

@@ -35,9 +35,9 @@ struct Mode {
 struct UnstableMode {
   double growth_rate = 0;
   double omega = 0;
-  double residual = 0;     ///< ‖(λ²M + λG + K)X‖₂ / ((‖K‖ + |λ|‖G‖ + |λ|²‖M‖)‖X‖₂), λ = σ + jω; not a number where it was not measured
-  double error_bound = 0;  ///< on |δλ|, to first order, or the radius of the disc in which it was counted; likewise
-  ComplexVector shape;  ///< X of Re(X e^{(σ + jω)t}), largest entry 1; empty unless asked for
+  double residual = 0;     ///< ‖(λ²M + λG + K)X‖₂ / ((‖K‖ + |λ|‖G‖ + |λ|²‖M‖)‖X‖₂), λ = σ + jω; of a spacecraft |μ/(λ μ′)|, μ the singular value of H_red(λ) that vanishes
+  double error_bound = 0;  ///< on |δλ|, to first order, or the radius of the disc in which it was counted
+  ComplexVector shape;  ///< X of Re(X e^{(σ + jω)t}), largest entry 1; empty unless asked for, and of a spacecraft
 
   bool flutter() const { return omega > 0; }
 };

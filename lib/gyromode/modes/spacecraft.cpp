@@ -92,9 +92,8 @@ ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options
   }
   for (const Root& root : inside) r.modes.push_back(mode_of(s, root, options.shapes));
   for (const Root& root : s.roots().negative_energy()) r.negative_modes.push_back(mode_of(s, root, false));
-  constexpr double unmeasured = std::numeric_limits<double>::quiet_NaN();
   for (const GrowingRoot& g : s.roots().growing()) {
-    for (Index k = 0; k < g.copies; ++k) r.unstable.push_back({g.growth * unit, g.omega * unit, unmeasured, unmeasured, {}});
+    for (Index k = 0; k < g.copies; ++k) r.unstable.push_back({g.growth * unit, g.omega * unit, g.residual, g.error * unit, {}});
   }
   std::sort(r.unstable.begin(), r.unstable.end(), [](const UnstableMode& a, const UnstableMode& b) { return a.growth_rate > b.growth_rate; });
   r.opposite_gap = s.opposite_gap();
