@@ -59,7 +59,7 @@ TEST_P(HostileSystems, NothingFalseIsClaimed) {
       if (window > 0) options.window = drawn_window(truth, bits);
       support::Faults f;
       try {
-        f = support::compare(find_modes(h.system(), options), truth, window == 0 ? &tightness : nullptr);
+        f = support::compare(h.system(), find_modes(h.system(), options), truth, window == 0 ? &tightness : nullptr);
       } catch (const std::exception& e) {
         f.false_verdict = true;
         f.text = std::string("throws: ") + e.what();

@@ -127,10 +127,31 @@ Truth with_undecided_pairs(const ModesResult& r, Truth t) {
   return t;
 }
 
+// λ² that an error of one ε in an entry of K makes, at most: ε max |K_ii|/M_ii.
+double open_square(const System& system) { return epsilon * system.stiffness().diagonal().cwiseAbs().cwiseQuotient(system.mass().diagonal()).maxCoeff(); }
+
+// A zero mode is zero to rounding of the entries: a true root below that is one.
+Truth with_zeros_to_rounding(const System& system, const ModesResult& r, Truth t) {
+  Index surplus = r.index_balance.zero - t.zero_pairs;
+  const double open = std::sqrt(open_square(system));
+  for (; surplus > 0; --surplus) {
+    const bool mode = !t.modes.empty() && (t.divergence.empty() || t.modes.front().omega < t.divergence.front());
+    if (mode && t.modes.front().omega <= open) {
+      t.modes.erase(t.modes.begin());
+    } else if (!mode && !t.divergence.empty() && t.divergence.front() <= open) {
+      t.divergence.erase(t.divergence.begin());
+    } else {
+      break;
+    }
+    ++t.zero_pairs;
+  }
+  return t;
+}
+
 }  // namespace
 
-Faults compare(const ModesResult& r, const Truth& truth, std::vector<double>* tightness) {
-  const Truth t = with_undecided_pairs(r, truth);
+Faults compare(const System& system, const ModesResult& r, const Truth& truth, std::vector<double>* tightness) {
+  const Truth t = with_zeros_to_rounding(system, r, with_undecided_pairs(r, truth));
   Faults f;
   const bool decided = r.stability != Stability::unknown && r.stability != Stability::marginal;
   if (decided && r.stability != t.stability) {

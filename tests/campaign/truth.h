@@ -38,6 +38,6 @@ struct Faults {
   bool claims_falsely() const { return false_complete || false_verdict || wrong_sign || mode_outside_bound || growth_outside_bound || window_moved || false_count; }
 };
 /// `tightness` collects error bound over true error of every mode, where the error is not zero.
-Faults compare(const ModesResult& r, const Truth& truth, std::vector<double>* tightness = nullptr);
+Faults compare(const System& system, const ModesResult& r, const Truth& truth, std::vector<double>* tightness = nullptr);
 
 }  // namespace gyromode::support

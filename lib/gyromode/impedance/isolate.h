@@ -7,12 +7,13 @@
 
 namespace gyromode {
 
-/// The impedance in its blocks, evaluated for all of them at once.
+/// The impedance in its blocks, evaluated for all of them at once. The impedance must outlive it.
 struct BlockedImpedance {
   const LiftedImpedance& impedance;
   std::vector<Block> blocks;
 
   explicit BlockedImpedance(const LiftedImpedance& i) : impedance(i), blocks(blocks_of(i)) {}
+  explicit BlockedImpedance(const LiftedImpedance&&) = delete;
 };
 
 /// How many roots of block `block` are below ω, as an ever growing integer: J(ω) where all energy is positive; with modes of negative energy, of which each takes one away where it is

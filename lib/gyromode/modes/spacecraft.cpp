@@ -40,9 +40,8 @@ Mode mode_of(const SpacecraftSolution& s, const Root& r, bool with_shape) {
   return m;
 }
 
-// A wire's field is marched in some ω/Ω steps.
 void require_within_reach(const Spacecraft& s, const Window& w) {
-  constexpr double farthest = 1e7;
+  constexpr double farthest = farthest_over_spin;
   const double highest = w.open() ? w.a : w.b;
   if (s.cables().empty() || !(highest > farthest * s.spin())) return;
   throw std::invalid_argument(fmt::format("{:.6g} rad/s is beyond reach: fields of wires are followed up to {:.0e} times the spin, {:.6g} rad/s", highest, farthest, farthest * s.spin()));

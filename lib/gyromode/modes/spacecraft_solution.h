@@ -10,6 +10,8 @@ namespace gyromode {
 class SpacecraftSolution {
  public:
   explicit SpacecraftSolution(const Spacecraft& s);
+  SpacecraftSolution(const SpacecraftSolution&) = delete;  // its roots refer to its impedance
+  SpacecraftSolution& operator=(const SpacecraftSolution&) = delete;
 
   const CertifiedRoots& roots() const { return roots_; }
   const SpacecraftImpedance& impedance() const { return impedance_; }
@@ -36,7 +38,7 @@ class SpacecraftSolution {
   void name_tilt(std::vector<Root>& all) const;
   double gap_of_opposite_signs() const;
 
-  const Spacecraft& spacecraft_;
+  Spacecraft spacecraft_;
   SpacecraftImpedance impedance_;
   CertifiedRoots roots_;
   double opposite_gap_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace gyromode {
 
@@ -17,8 +18,17 @@ Window lowest_window(const SpacecraftSolution& s, Index lowest, const Window& re
   if (!infinite && lowest >= s.impedance().size()) return {requested.a, std::min(requested.b, s.above_all())};
   const Index before = s.roots().below(requested.a);
   const double highest = std::min(requested.b, infinite ? std::numeric_limits<double>::infinity() : s.above_all());
+  const double reach = s.spacecraft().cables().empty() ? std::numeric_limits<double>::infinity() : farthest_over_spin;
   double b = std::max(2.0, 2 * requested.a);
-  while (s.roots().below(b) - before < lowest + 3 && b < highest) b *= 1.5;  // the tilt is among them, and one more shows the gap
+  const auto found = [&] { return s.roots().below(b) - before; };
+  for (; found() < lowest + 3 && b < highest && b < reach; b *= 1.5) {}  // the tilt is among them, and one more shows the gap
+  if (b >= reach && b < highest) {
+    b = reach;
+    if (found() - 1 < lowest) {  // without the tilt
+      throw std::invalid_argument(fmt::format("{} modes were asked for, and {} are within reach: fields of wires are followed up to {:.0e} times the spin, {:.6g} rad/s", lowest, std::max<Index>(found() - 1, 0),
+                                              farthest_over_spin, farthest_over_spin * s.unit()));
+    }
+  }
   const std::vector<Root> all = s.roots_around(requested.a, std::min(b, requested.b));
   Index seen = 0;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {

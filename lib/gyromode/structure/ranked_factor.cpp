@@ -127,7 +127,10 @@ class Elimination {
 
 bool RankedFactor::doubtful() const {
   const double n = static_cast<double>(regular.size() + free.size());
-  return !(smallest_kept > 64 * n * epsilon);
+  const bool near_above = !(smallest_kept > 64 * n * epsilon), near_below = largest_dropped > n * epsilon;
+  const double product = 64 * n * n * epsilon * epsilon;  // of two entries at rounding
+  const bool no_rounding = largest_dropped > product && largest_dropped < 1e-3 * epsilon;
+  return near_above || near_below || no_rounding;
 }
 
 RankedFactor ranked_factor(const Matrix& k) { return ranked_factor(k, entry_scale(k)); }
