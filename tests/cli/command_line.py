@@ -39,7 +39,8 @@ class Errors(Program):
         self.refused(1, ["frequency", "5xyz"], "modes", MODELS / "wiresaw.toml", "--below", "5xyz")
         self.refused(1, ["0 ≤ A < B"], "modes", MODELS / "wiresaw.toml", "--window", "5:2")
         self.refused(1, ["window"], "count", MODELS / "wiresaw.toml")
-        self.assertEqual(run("modes", MODELS / "wiresaw.toml", "--lowest", "0").returncode, 1)
+        for number in ("0", "-3", "abc", "1.5"):
+            self.refused(1, [f"--lowest: '{number}' is no whole number above 0"], "modes", MODELS / "wiresaw.toml", "--lowest", number)
         self.refused(1, ["'mods' is no verb", "did you mean 'modes'"], "mods", MODELS / "wiresaw.toml")
         self.assertEqual(run().returncode, 1)
 
