@@ -128,9 +128,7 @@ class Elimination {
 bool RankedFactor::doubtful() const {
   const double n = static_cast<double>(regular.size() + free.size());
   const bool near_above = !(smallest_kept > 64 * n * epsilon), near_below = largest_dropped > n * epsilon;
-  const double product = 64 * n * n * epsilon * epsilon;  // of two entries at rounding
-  const bool no_rounding = largest_dropped > product && largest_dropped < 1e-3 * epsilon;
-  return near_above || near_below || no_rounding;
+  return near_above || near_below;
 }
 
 RankedFactor ranked_factor(const Matrix& k) { return ranked_factor(k, entry_scale(k)); }

@@ -17,8 +17,7 @@ struct RankedFactor {
   double largest_dropped = 0;  ///< of all entries of what is left the largest such ratio
 
   Index zero() const { return static_cast<Index>(free.size()); }
-  /// Whether zero may be taken for a pivot or a pivot for zero: kept ratios below 64 n ε, where what is called zero ends at 8 n ε, or what is left has more than n ε. And where what is left has less than ε/1000 but more
-  /// than (8nε)²: rounding errors would be larger, and products of two of them smaller, so that is what exact arithmetic makes of the entries given.
+  /// Whether zero may be taken for a pivot or a pivot for zero: kept ratios below 64 n ε, where what is called zero ends at 8 n ε, or what is left has more than n ε.
   bool doubtful() const;
 };
 
