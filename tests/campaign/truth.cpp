@@ -127,8 +127,11 @@ Truth with_undecided_pairs(const ModesResult& r, Truth t) {
   return t;
 }
 
-// λ² that an error of one ε in an entry of K makes, at most: ε max |K_ii|/M_ii.
-double open_square(const System& system) { return epsilon * system.stiffness().diagonal().cwiseAbs().cwiseQuotient(system.mass().diagonal()).maxCoeff(); }
+// λ² that an error of one ε in an entry of K makes, at most: ε max |K_ij|/√(M_ii M_jj).
+double open_square(const System& system) {
+  const Vector unit = system.mass().diagonal().cwiseSqrt().cwiseInverse();
+  return epsilon * (unit.asDiagonal() * system.stiffness() * unit.asDiagonal()).cwiseAbs().maxCoeff();
+}
 
 // A zero mode is zero to rounding of the entries: a true root below that is one.
 Truth with_zeros_to_rounding(const System& system, const ModesResult& r, Truth t) {
