@@ -95,12 +95,18 @@ bool small_frequencies(const lapack::Tridiagonal& w, double norm_w) {
 }
 
 // An error ε‖W‖ in ω² is one of ε‖W‖/2ω in ω, while a backward error nε in K moves ω by nε‖K‖‖X‖²ω/2. The eigenvalues of W are good enough
-// while the first is below the second for every mode (s, w), column of v: ‖y‖ = ‖w‖/ω, and ‖x‖² ≥ ‖s‖²/‖K‖ as s = fᵀx.
-bool accurate(const Vector& omega, const MatrixView& v, Index q, double norm_w, double norm_k) {
+// while the first is below the second for every mode (s, w), column of v: ‖y‖ = ‖w‖/ω, and x = f⁻ᵀs, ‖x‖² ≥ ‖s‖²/‖K‖. x itself is asked only where that bound does not do.
+bool accurate(const QuadratureForm& form, const Vector& omega, const MatrixView& v, double norm_w, double norm_k) {
+  const Matrix& f = form.first.root();
+  const Index q = f.cols();
   const double n = static_cast<double>(v.rows());
   for (Index i = 0; i < omega.size(); ++i) {
-    const double y = n * norm_k * v.col(i).tail(v.rows() - q).squaredNorm();
-    if (!(norm_w <= y) && !(norm_w <= y + n * omega(i) * omega(i) * v.col(i).head(q).squaredNorm())) return false;
+    const double square = omega(i) * omega(i), of_y = n * norm_k * v.col(i).tail(v.rows() - q).squaredNorm();
+    Matrix x = v.col(i).head(q);
+    if (norm_w <= of_y + n * square * x.squaredNorm()) continue;
+    if (f.rows() == q) lapack::solve_lower_transposed(f, x);
+    else x = ((f * x + form.b * v.col(i).tail(v.rows() - q)) / square).eval();
+    if (!(norm_w <= of_y + n * norm_k * square * x.squaredNorm())) return false;
   }
   return true;
 }
@@ -133,7 +139,7 @@ QuadratureModes by_w(const QuadratureForm& form) {
   const Index unstable = (e.values.array() < 0).count();
   const Index m = e.values.size() - unstable;
   const Vector omega = e.values.tail(m).cwiseSqrt();
-  if (alternative && !accurate(omega, e.vectors.rightCols(m), q, norm_w, norm_k)) return by_singular_values(form);
+  if (alternative && !accurate(form, omega, e.vectors.rightCols(m), norm_w, norm_k)) return by_singular_values(form);
   QuadratureModes modes = recovered(form, omega, e.vectors.rightCols(m));
   if (unstable > 0) modes.unstable = divergent(form, (-e.values.head(unstable)).cwiseSqrt(), e.vectors.leftCols(unstable));
   modes.path = "eigenvalues of W (real symmetric, n × n)";
