@@ -113,8 +113,8 @@ Matrix Conjugation::imaginary_part(const Matrix& s, const Matrix& z) const {
     const auto [i, j] = unknowns_[static_cast<std::size_t>(v)];
     ComplexMatrix x = left.col(i) * right.col(j).transpose();
     if (i != j) x = half * (x + left.col(j) * right.col(i).transpose()).eval();
-    map.col(v) = x.imag().reshaped();
-    map.col(m + v) = x.real().reshaped();
+    map.col(v) = Matrix(x.imag()).reshaped();
+    map.col(m + v) = Matrix(x.real()).reshaped();
   }
   return map;
 }

@@ -127,7 +127,7 @@ class Elimination {
 
 bool RankedFactor::doubtful() const {
   const double n = static_cast<double>(regular.size() + free.size());
-  const bool near_above = !(smallest_kept > 64 * n * epsilon), near_below = largest_dropped > n * epsilon;
+  const bool near_above = !(smallest_kept > 64 * n * epsilon), near_below = largest_dropped > 4 * n * epsilon;
   return near_above || near_below;
 }
 

@@ -17,7 +17,7 @@ struct RankedFactor {
   double largest_dropped = 0;  ///< of all entries of what is left the largest such ratio
 
   Index zero() const { return static_cast<Index>(free.size()); }
-  /// Whether zero may be taken for a pivot or a pivot for zero: kept ratios below 64 n ε, where what is called zero ends at 8 n ε, or what is left has more than n ε.
+  /// Whether zero may be taken for a pivot or a pivot for zero: kept ratios below 64 n ε, where what is called zero ends at 8 n ε, or what is left has more than 4 n ε.
   bool doubtful() const;
 };
 
