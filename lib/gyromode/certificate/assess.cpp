@@ -113,7 +113,7 @@ Assessment measured(const Impedance& h, dense::Spectrum& s, const Products& p) {
     const ResidualVector r = residual_of(h, p, omega, i);
     const Vector r2 = squares(h, r.re, r.im), x2 = squares(h, s.re.col(i), s.im.col(i));
     const Vector weight = h.weight(omega);
-    const double form = functional(h, s, p, i).slope(omega);
+    const double form = p.functional(i).slope(omega);
     own_scale(i) = weight.dot(x2);
     own_error(i) = (r2.cwiseProduct(x2)).cwiseSqrt().sum() + roundings(h.size()) * own_scale(i);
     a.residual(i) = h.plain_coordinates() ? std::sqrt(r2.cwiseQuotient(given2).sum() / x2.dot(given2)) / h.given_scale(omega) : h.given_residual(whole(h, r.re, r.im), s.shape(i), omega);
@@ -134,7 +134,7 @@ double backward_error(Index n) { return 4 * static_cast<double>(std::max<Index>(
 
 Assessment assess(const Impedance& h, dense::Spectrum& s) {
   const Products p = products(h, s);
-  for (Index i = 0; i < s.omega.size(); ++i) s.omega(i) = functional(h, s, p, i).corrected(s.omega(i));
+  for (Index i = 0; i < s.omega.size(); ++i) s.omega(i) = p.functional(i).corrected(s.omega(i));
   const Assessment::Unstable unstable = assess_unstable(h, s);
   Assessment a = measured(h, s, p);
   a.unstable = unstable;

@@ -47,10 +47,10 @@ struct Shares {
   Vector by_displacement, by_velocity;
 };
 
-Shares shares_of_modes(const Impedance& h, const dense::Spectrum& s, const Products& p, const Parts& a, const Parts& b) {
+Shares shares_of_modes(const dense::Spectrum& s, const Products& p, const Parts& a, const Parts& b) {
   Vector norms(s.omega.size());
   for (Index i = 0; i < norms.size(); ++i) {
-    const Functional f = functional(h, s, p, i);
+    const Functional& f = p.functional(i);
     norms(i) = f.k + s.omega(i) * s.omega(i) * f.m;
   }
   return {2 * squares(p.k_re, p.k_im, a).cwiseQuotient(norms), 2 * squares(p.m_re, p.m_im, b).cwiseProduct(s.omega.cwiseAbs2()).cwiseQuotient(norms)};
@@ -80,7 +80,7 @@ bool no_root_twice(const Impedance& h, const dense::Spectrum& s, const Products&
   const Index n = h.size();
   if (!h.second_order() || s.stiffness_zero > 0 || s.omega.size() + s.divergent() + 2 * s.fluttering() != n) return false;
   const Parts a(h, random_signs_and_sizes(n, 1979)), b(h, random_signs_and_sizes(n, 2026));
-  const Shares modes = shares_of_modes(h, s, p, a, b), unstable = shares_of_unstable(h, s.unstable, a, b);
+  const Shares modes = shares_of_modes(s, p, a, b), unstable = shares_of_unstable(h, s.unstable, a, b);
   const double displacement_open = std::abs(modes.by_displacement.sum() + unstable.by_displacement.sum() - energy(h, h.stiffness_rr(), h.stiffness_ii(), a));
   const double velocity_open = std::abs(modes.by_velocity.sum() + unstable.by_velocity.sum() - energy(h, h.mass_rr(), h.mass_ii(), b));
   const auto all_noticed = [&](const Shares& x) {

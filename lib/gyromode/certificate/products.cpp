@@ -25,6 +25,9 @@ Products products(const Impedance& h, const dense::Spectrum& s) {
     p.k_re = lapack::multiply(h.stiffness_rr(), s.re);
     p.k_im = lapack::multiply(h.stiffness_ii(), s.im);
   }
+  for (Index i = 0; i < s.omega.size(); ++i) {
+    p.functionals.push_back({form_of(s, p.m_re, p.m_im, i), form_of(s, p.g_re, p.g_im, i), h.second_order() ? form_of(s, p.k_re, p.k_im, i) : 0, h.second_order()});
+  }
   return p;
 }
 
@@ -36,11 +39,6 @@ double Functional::corrected(double omega) const {
     omega = next;
   }
   return omega;
-}
-
-Functional functional(const Impedance& h, const dense::Spectrum& s, const Products& p, Index i) {
-  const double k = h.second_order() ? form_of(s, p.k_re, p.k_im, i) : 0;
-  return {form_of(s, p.m_re, p.m_im, i), form_of(s, p.g_re, p.g_im, i), k, h.second_order()};
 }
 
 }  // namespace gyromode

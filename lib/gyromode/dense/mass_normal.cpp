@@ -26,15 +26,23 @@ Matrix MassNormal::coupling(const Matrix& b, const MassNormal& other) const {
   return a;
 }
 
-StiffnessFactor::StiffnessFactor(const Matrix& k) : scale_(unit_diagonal_scale(k)), factor_(scaled(k, scale_)) {
-  if (lapack::cholesky(factor_)) throw lapack::Failure("the stiffness of a group is not numerically positive definite");
+StiffnessFactor::StiffnessFactor(const Matrix& k) {
+  PositiveFactor f{unit_diagonal_scale(k), {}};
+  f.l = scaled(k, f.scale);
+  if (lapack::cholesky(f.l)) throw lapack::Failure("the stiffness of a group is not numerically positive definite");
+  factor_ = std::make_shared<const PositiveFactor>(std::move(f));
 }
 
-Matrix StiffnessFactor::scaled_rows(const Vector& d) const { return (d.array() / scale_.array()).matrix().asDiagonal() * factor_; }
+StiffnessFactor::StiffnessFactor(const Matrix& k, const Definiteness& known) {
+  *this = known.factor ? StiffnessFactor(known.factor) : StiffnessFactor(k);
+}
+
+// F = E⁻¹ L.
+Matrix StiffnessFactor::scaled_rows(const Vector& d) const { return (d.array() / factor_->scale.array()).matrix().asDiagonal() * factor_->l; }
 
 void StiffnessFactor::to_physical(MatrixSpan s) const {
-  lapack::solve_lower_transposed(factor_, s);
-  s = scale_.asDiagonal() * s;
+  lapack::solve_lower_transposed(factor_->l, s);
+  s = factor_->scale.asDiagonal() * s;
 }
 
 Matrix MassNormal::stiffness_root(const StiffnessFactor& k) const {

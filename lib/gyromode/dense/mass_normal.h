@@ -2,7 +2,9 @@
 
 #include "gyromode/dense/unstable_roots.h"
 #include "gyromode/lapack/types.h"
+#include "gyromode/structure/definiteness.h"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,8 @@ class StiffnessFactor {
  public:
   /// Throws lapack::Failure where the factorisation fails.
   explicit StiffnessFactor(const Matrix& k);
+  /// The same with what is known of K, its factor among it where it has one.
+  StiffnessFactor(const Matrix& k, const Definiteness& known);
 
   /// diag(d) F.
   Matrix scaled_rows(const Vector& d) const;
@@ -20,8 +24,9 @@ class StiffnessFactor {
   void to_physical(MatrixSpan s) const;
 
  private:
-  Vector scale_;  // E K E = F̂ F̂ᵀ has a unit diagonal
-  Matrix factor_;
+  explicit StiffnessFactor(std::shared_ptr<const PositiveFactor> factor) : factor_(std::move(factor)) {}
+
+  std::shared_ptr<const PositiveFactor> factor_;
 };
 
 /// Coordinates in which the mass matrix of a group is the unit matrix: q = D L⁻ᵀ z with D M D = L Lᵀ, D the power-of-two scaling to unit

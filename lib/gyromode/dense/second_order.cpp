@@ -12,11 +12,11 @@ namespace gyromode::dense {
 
 namespace {
 
-void solve_regular(const SecondOrder& m, Index negative, Spectrum& s) {
+void solve_regular(const SecondOrder& m, const Definiteness& d, Spectrum& s) {
   const MassNormal normal(m.mass);
   const Matrix gamma = normal.gyroscopic(m.gyroscopic);
-  if (negative == 0) {
-    ComplexModes modes = definite_modes(gamma, normal.stiffness_root(StiffnessFactor(m.stiffness)));
+  if (d.negative == 0) {
+    ComplexModes modes = definite_modes(gamma, normal.stiffness_root(StiffnessFactor(m.stiffness, d)));
     s.omega = std::move(modes.omega);
     s.re = std::move(modes.re);
     s.im = std::move(modes.im);
@@ -28,7 +28,7 @@ void solve_regular(const SecondOrder& m, Index negative, Spectrum& s) {
     s.omega = std::move(modes.omega);
     s.unstable = std::move(modes.unstable);
     normal.to_physical(s.unstable);
-    s.path = fmt::format("general, K indefinite ({} negative): eigenvalues of order 2n with the Hamiltonian pairing kept", negative);
+    s.path = fmt::format("general, K indefinite ({} negative): eigenvalues of order 2n with the Hamiltonian pairing kept", d.negative);
   }
   normal.to_physical(s.re);
   normal.to_physical(s.im);
@@ -39,7 +39,7 @@ void solve_regular(const SecondOrder& m, Index negative, Spectrum& s) {
 void solve_second_order(const SecondOrder& m, Spectrum& s) {
   const Definiteness d = definiteness(m.stiffness);
   s.store_stiffness(d);
-  if (d.zero == 0) return solve_regular(m, d.negative, s);
+  if (d.zero == 0) return solve_regular(m, d, s);
   solve_singular_stiffness({m.mass, m.gyroscopic, m.stiffness, -1}, d.null_space, s);
 }
 

@@ -13,12 +13,12 @@ namespace gyromode::dense {
 namespace {
 
 // Shapes are asked for in physical coordinates; a root f = L⁻¹F leads there by F alone.
-StiffnessBlock block(const MassNormal& normal, const Matrix& k, bool positive) {
+StiffnessBlock block(const MassNormal& normal, const Matrix& k, const Definiteness& d) {
   StiffnessBlock::Recipe root;
   ShapeCoordinates physical{[&normal](MatrixSpan x) { normal.to_physical(x); }, {}};
-  if (positive) {
+  if (d.negative == 0) {
     const auto factor = std::make_shared<std::optional<StiffnessFactor>>();
-    root = [&normal, &k, factor] { return normal.stiffness_root(factor->emplace(k)); };
+    root = [&normal, &k, &d, factor] { return normal.stiffness_root(factor->emplace(k, d)); };
     physical.from_root = [factor](MatrixSpan s) { (*factor)->to_physical(s); };
   }
   StiffnessBlock made(k.rows(), [&normal, &k] { return normal.stiffness(k); }, std::move(root));
@@ -26,11 +26,11 @@ StiffnessBlock block(const MassNormal& normal, const Matrix& k, bool positive) {
   return made;
 }
 
-void solve_regular(const SecondOrderQuadrature& m, bool positive1, bool positive2, Spectrum& s) {
+void solve_regular(const SecondOrderQuadrature& m, const Definiteness& d1, const Definiteness& d2, Spectrum& s) {
   const MassNormal first(m.mass1);
   const MassNormal second(m.mass2);
   QuadratureModes modes =
-      quadrature_modes({first.coupling(m.coupling, second), block(first, m.stiffness1, positive1), block(second, m.stiffness2, positive2)});
+      quadrature_modes({first.coupling(m.coupling, second), block(first, m.stiffness1, d1), block(second, m.stiffness2, d2)});
   s.re = std::move(modes.x);
   s.im = std::move(modes.y);
   s.im *= -1;
@@ -41,7 +41,7 @@ void solve_regular(const SecondOrderQuadrature& m, bool positive1, bool positive
 
 Definiteness of_both(const Definiteness& d1, const Definiteness& d2) {
   const Index n1 = d1.null_space.rows();
-  Definiteness d{d1.negative + d2.negative, d1.zero + d2.zero, d1.positive + d2.positive, {}, std::min(d1.margin, d2.margin), d1.doubtful || d2.doubtful};
+  Definiteness d{d1.negative + d2.negative, d1.zero + d2.zero, d1.positive + d2.positive, {}, std::min(d1.margin, d2.margin), d1.doubtful || d2.doubtful, {}};
   d.null_space = Matrix::Zero(n1 + d2.null_space.rows(), d.zero);
   d.null_space.topLeftCorner(n1, d1.zero) = d1.null_space;
   d.null_space.bottomRightCorner(d2.null_space.rows(), d2.zero) = d2.null_space;
@@ -68,7 +68,7 @@ void solve_second_order(const SecondOrderQuadrature& m, Spectrum& s) { solve_sec
 void solve_second_order(const SecondOrderQuadrature& m, const Definiteness& d1, const Definiteness& d2, Spectrum& s) {
   const Definiteness d = of_both(d1, d2);
   s.store_stiffness(d);
-  if (d.zero == 0) return solve_regular(m, d1.negative == 0, d2.negative == 0, s);
+  if (d.zero == 0) return solve_regular(m, d1, d2, s);
   solve_singular_stiffness(whole(m), d.null_space, s);
 }
 

@@ -31,12 +31,13 @@ bool clearly_regular(double reciprocal_condition, const Vector& pivots) {
 // Unit diagonal is as good as equilibration here: of all scalings it leaves a positive definite matrix within a factor n of the best condition (van der Sluis 1969).
 std::optional<Definiteness> positive_by_cholesky(const Matrix& k) {
   if (!(k.diagonal().array() > 0).all()) return std::nullopt;
-  Matrix l = scaled(k, unit_diagonal_scale(k));
+  Vector scale = unit_diagonal_scale(k);
+  Matrix l = scaled(k, scale);
   const double norm = norm1(l);
   if (lapack::cholesky(l)) return std::nullopt;
   const double rcond = lapack::reciprocal_condition(l, norm);
   if (!clearly_regular(rcond, l.diagonal().cwiseAbs2())) return std::nullopt;
-  return Definiteness{0, 0, k.rows(), Matrix(k.rows(), 0), rcond, false};
+  return Definiteness{0, 0, k.rows(), Matrix(k.rows(), 0), rcond, false, std::make_shared<const PositiveFactor>(std::move(scale), std::move(l))};
 }
 
 std::optional<Definiteness> regular_by_pivots(const Matrix& k) {
@@ -46,7 +47,7 @@ std::optional<Definiteness> regular_by_pivots(const Matrix& k) {
   const double rcond = lapack::reciprocal_condition(factor, norm1(k));
   if (!clearly_regular(rcond, d)) return std::nullopt;
   const Index negative = (d.array() < 0).count();
-  return Definiteness{negative, 0, k.rows() - negative, Matrix(k.rows(), 0), rcond, false};
+  return Definiteness{negative, 0, k.rows() - negative, Matrix(k.rows(), 0), rcond, false, {}};
 }
 
 // D v̂ of differing units point the same way. Gauss–Jordan elimination with complete pivoting makes the columns a unit matrix in some rows and at most about one
@@ -105,7 +106,7 @@ Definiteness by_eigenvalues(const Matrix& k, const Vector& scale) {
 Definiteness entry_by_entry(const Matrix& k) {
   RankedFactor f = ranked_factor(k);
   f.null_space.colwise().normalize();
-  return {f.negative, f.zero(), f.positive, std::move(f.null_space), f.smallest_kept, f.doubtful()};
+  return {f.negative, f.zero(), f.positive, std::move(f.null_space), f.smallest_kept, f.doubtful(), {}};
 }
 
 Definiteness of_nonzero_rows(const Matrix& k) {

@@ -2,10 +2,18 @@
 
 #include "gyromode/lapack/types.h"
 
+#include <memory>
+
 namespace gyromode {
 
 /// Sign class of a symmetric matrix. `semidefinite` is positive semidefinite and singular.
 enum class Sign { positive, semidefinite, indefinite };
+
+/// D K D = L Lᵀ of a positive definite K, D of powers of two with a unit diagonal; L lower triangular, zeros above.
+struct PositiveFactor {
+  Vector scale;
+  Matrix l;
+};
 
 /// Inertia of a symmetric matrix K, with a basis of its null space.
 struct Definiteness {
@@ -15,6 +23,7 @@ struct Definiteness {
   Matrix null_space;   ///< n × zero, columns of 2-norm 1 spanning null(K)
   double margin = 1;   ///< up to order 256 the least |pivot| over the terms it is made of; beyond, of the equilibrated K, smallest over largest |eigenvalue| not called zero, or a reciprocal condition (1-norm)
   bool doubtful = false;  ///< what was not called zero comes within a factor of eight of it
+  std::shared_ptr<const PositiveFactor> factor;  ///< where a Cholesky factorisation has decided
 
   Sign sign() const;
 };
