@@ -37,7 +37,7 @@ std::optional<Definiteness> positive_by_cholesky(const Matrix& k) {
   if (lapack::cholesky(l)) return std::nullopt;
   const double rcond = lapack::reciprocal_condition(l, norm);
   if (!clearly_regular(rcond, l.diagonal().cwiseAbs2())) return std::nullopt;
-  return Definiteness{0, 0, k.rows(), Matrix(k.rows(), 0), rcond, false, std::make_shared<const PositiveFactor>(std::move(scale), std::move(l))};
+  return Definiteness{0, 0, k.rows(), Matrix(k.rows(), 0), rcond, false, std::make_shared<const PositiveFactor>(PositiveFactor{std::move(scale), std::move(l)})};
 }
 
 std::optional<Definiteness> regular_by_pivots(const Matrix& k) {
