@@ -150,24 +150,7 @@ std::optional<Impedance> Impedance::with_null_coordinates() const {
   h.change_units();
   h.measure_norms();
   h.sizes();  // in the new coordinates, but for the norms of what was given
-  // M and G in these coordinates are sums, and their rounding is relative to the terms.
   const double time = h.units_.time;
-  const Vector rows = h.units_.coordinate.head(p), columns = quadrature() ? Vector(h.units_.coordinate.tail(size() - p)) : rows;
-  const auto terms = [](const Matrix& left, const Matrix& a, const Matrix& right, const Vector& r, const Vector& c, double rate) {
-    Matrix t = left.cwiseAbs().transpose() * entry_scale(a) * right.cwiseAbs();
-    change_units_of(t, r, c, rate);
-    return t;
-  };
-  const auto grow = [](Eigen::Ref<Vector> weight, const Vector& by) { weight = weight.cwiseMax(by); };
-  grow(h.sizes_->m.head(p), terms(b1, m_rr_, b1, rows, rows, 1).diagonal());
-  if (quadrature()) {
-    grow(h.sizes_->m.tail(size() - p), terms(b2, m_ii_, b2, columns, columns, 1).diagonal());
-    const auto [of_rows, of_columns] = own_weights_of_coupling(terms(b1, g_ri_, b2, rows, columns, time));
-    grow(h.sizes_->g.head(p), of_rows);
-    grow(h.sizes_->g.tail(size() - p), of_columns);
-  } else {
-    grow(h.sizes_->g, own_weights(terms(b1, g_ri_, b1, rows, rows, time)));
-  }
   h.sizes_->given_k = given.given_k * time * time;
   h.sizes_->given_g = given.given_g * time;
   h.sizes_->given_m = given.given_m;
