@@ -16,15 +16,7 @@ using support::Source;
 
 System definite(Source& source, Index n, bool quadrature, double spin) {
   Matrix m = source.symmetric(n, 0), k = source.symmetric(n, 0), g = spin * source.skew(n);
-  const Index p = n / 2;
-  if (quadrature) {
-    for (Matrix* a : {&m, &k}) {
-      a->topRightCorner(p, n - p).setZero();
-      a->bottomLeftCorner(n - p, p).setZero();
-    }
-    g.topLeftCorner(p, p).setZero();
-    g.bottomRightCorner(n - p, n - p).setZero();
-  }
+  if (quadrature) support::make_quadrature(m, g, k);
   return System(m, g, k);
 }
 

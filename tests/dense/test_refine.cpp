@@ -23,15 +23,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 System refinable(Source& source, Index n, bool quadrature, Index negative) {
   Matrix m = source.symmetric(n, 0), k = source.symmetric(n, negative), g = 2 * source.skew(n);
-  const Index p = n / 2;
-  if (quadrature) {
-    for (Matrix* a : {&m, &k}) {
-      a->topRightCorner(p, n - p).setZero();
-      a->bottomLeftCorner(n - p, p).setZero();
-    }
-    g.topLeftCorner(p, p).setZero();
-    g.bottomRightCorner(n - p, n - p).setZero();
-  }
+  if (quadrature) support::make_quadrature(m, g, k);
   return System(m, g, k);
 }
 

@@ -48,11 +48,10 @@ std::optional<Matrix> turned_coupling(const SecondOrder& m, const Matrix& null, 
   Matrix turned = lapack::multiply_tn(one.turn, lapack::multiply(b, two.turn));
   auto corner = turned.bottomRightCorner(one.d.zero, two.d.zero);
   if (corner.size() == 0) return turned;
-  const Matrix terms_of_g = entry_scale(m.gyroscopic);
   const double many = 8 * static_cast<double>(m.size()) * std::numeric_limits<double>::epsilon();
-  const Matrix terms = one.basis.rightCols(one.d.zero).cwiseAbs().transpose() * terms_of_g * two.basis.rightCols(two.d.zero).cwiseAbs();
+  const Matrix terms = one.basis.rightCols(one.d.zero).cwiseAbs().transpose() * entry_scale(m.gyroscopic) * two.basis.rightCols(two.d.zero).cwiseAbs();
   corner = (corner.array().abs() <= many * terms.array()).select(0, corner).eval();
-  const RankedSkew given = ranked_skew(skew_part(null.transpose() * m.gyroscopic * null), null.cwiseAbs().transpose() * terms_of_g * null.cwiseAbs());
+  const RankedSkew given = ranked_skew_on(m.gyroscopic, null);
   const Vector values = lapack::singular_value_decomposition(corner).values;
   const Index rank = (values.array() > many * terms.maxCoeff()).count();
   return 2 * rank == static_cast<Index>(given.regular.size()) ? std::optional(turned) : std::nullopt;

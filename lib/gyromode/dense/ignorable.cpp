@@ -49,9 +49,7 @@ struct Split {
 };
 
 Split split_null(const SingularSystem& s, const Matrix& null) {
-  const Matrix size = null.cwiseAbs();
-  const Matrix g = congruence(null, s.gyroscopic);
-  const RankedSkew f = ranked_skew(skew_part(g), congruence(size, entry_scale(s.gyroscopic)));
+  const RankedSkew f = ranked_skew_on(s.gyroscopic, null);
   Split parts{multiply(null, f.null_space), Matrix(s.size(), static_cast<Index>(f.regular.size())), !(f.smallest_kept > 64 * static_cast<double>(s.size()) * std::numeric_limits<double>::epsilon())};
   std::vector<Index> regular = f.regular;
   std::stable_partition(regular.begin(), regular.end(), [&](Index k) { return in_first_group(s, null.col(k)); });

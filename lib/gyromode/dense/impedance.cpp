@@ -261,11 +261,7 @@ Inertia Impedance::negative_at(double omega) const {
   const Sizes& z = sizes();
   const Vector terms = on_k * z.k + std::abs(on_g) * z.g + std::abs(on_m) * z.m;
   const Vector d = terms.unaryExpr([](double w) { return w > 0 ? power_of_two_near(1 / std::sqrt(w)) : 1; });
-  const auto near_one = [&d](auto matrix) {
-    for (Index k = 0; k < matrix.cols(); ++k) matrix.col(k) = (d(k) * matrix.col(k).array() * d.array()).matrix();
-    return matrix;
-  };
-  return quadrature() ? inertia_of_sum(near_one(star(on_k, on_m, on_g))) : inertia_of_sum(near_one(hermitian(on_k, on_m, on_g)));
+  return quadrature() ? inertia_of_sum(scaled(star(on_k, on_m, on_g), d)) : inertia_of_sum(scaled(hermitian(on_k, on_m, on_g), d));
 }
 
 }  // namespace gyromode

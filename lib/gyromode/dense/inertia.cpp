@@ -27,7 +27,7 @@ std::optional<Inertia> by_cholesky(const AnyMatrix& equilibrated, double terms) 
   const Vector diagonal = equilibrated.diagonal().real();
   const bool negative = (diagonal.array() < 0).all();
   if (!negative && !(diagonal.array() > 0).all()) return std::nullopt;
-  const auto factor = lapack::factor_definite(negative ? AnyMatrix(-equilibrated) : equilibrated);
+  const auto factor = lapack::factor_definite(negative ? AnyMatrix(-equilibrated) : equilibrated, norm1(equilibrated));
   if (!factor) return std::nullopt;
   return Inertia{negative ? n : 0, negative ? 0 : n, margin_of(factor->pivots, terms, factor->reciprocal_condition)};
 }

@@ -72,25 +72,9 @@ void MassNormal::to_physical(UnstableRoots& roots) const {
   to_physical(roots.left);
 }
 
-void MassNormalGroups::to_physical(UnstableRoots& roots) const {
-  to_physical(roots.right);
-  to_physical(roots.left);
-}
-
 void MassNormal::to_normal(MatrixSpan q) const {
   q = scale_.cwiseInverse().asDiagonal() * q;
   lapack::multiply_lower_transposed(l_, q);
-}
-
-void MassNormalGroups::to_physical(ComplexMatrix& z) const {
-  if (z.cols() == 0) return;  // of no rows, where there are none
-  Index row = 0;
-  for (const MassNormal& group : groups_) {
-    ComplexMatrix part = z.middleRows(row, group.size());
-    group.to_physical(part);
-    z.middleRows(row, group.size()) = part;
-    row += group.size();
-  }
 }
 
 }  // namespace gyromode::dense

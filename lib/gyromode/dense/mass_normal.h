@@ -6,7 +6,6 @@
 
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace gyromode::dense {
 
@@ -56,19 +55,6 @@ class MassNormal {
  private:
   Vector scale_;
   Matrix l_;
-};
-
-/// The same for consecutive groups of coordinates that the mass matrix does not couple: one, or the two of a partition.
-class MassNormalGroups {
- public:
-  explicit MassNormalGroups(std::vector<MassNormal> groups) : groups_(std::move(groups)) {}
-
-  /// Columns of all rows from normal to physical coordinates.
-  void to_physical(ComplexMatrix& z) const;
-  void to_physical(UnstableRoots& roots) const;
-
- private:
-  std::vector<MassNormal> groups_;
 };
 
 }  // namespace gyromode::dense

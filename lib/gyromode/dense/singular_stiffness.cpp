@@ -37,22 +37,21 @@ ComplexMatrix solve_reduced_quadrature(const Deflation& d, Spectrum& s) {
   const Index r = m.size() - p;
   const Index pairs = d.gyroscopic_null.cols() / 2;
   const MassNormal first(m.mass.topLeftCorner(p, p)), second(m.mass.bottomRightCorner(r, r));
-  const auto block = [](Matrix k, Matrix null, Index negative) {
+  const auto block = [](const MassNormal& normal, const Matrix& stiffness, const Matrix& given_null, Index negative) {
+    Matrix k = normal.stiffness(stiffness), null = normal_null(normal, given_null);
     std::optional<Matrix> root;
     if (negative == 0) root = semidefinite_root(k, null);
     StiffnessBlock made = root ? StiffnessBlock(std::move(k), std::move(*root)) : StiffnessBlock(std::move(k));
     made.set_null(std::move(null));
+    made.ask_for({[&normal](MatrixSpan x) { normal.to_physical(x); }, {}});
     return made;
   };
   QuadratureModes modes = quadrature_modes({first.coupling(m.gyroscopic.topRightCorner(p, r), second),
-                                            block(first.stiffness(m.stiffness.topLeftCorner(p, p)), normal_null(first, d.gyroscopic_null.topLeftCorner(p, pairs)), d.negative_first),
-                                            block(second.stiffness(m.stiffness.bottomRightCorner(r, r)), normal_null(second, d.gyroscopic_null.bottomRightCorner(r, pairs)), d.negative_second)});
+                                            block(first, m.stiffness.topLeftCorner(p, p), d.gyroscopic_null.topLeftCorner(p, pairs), d.negative_first),
+                                            block(second, m.stiffness.bottomRightCorner(r, r), d.gyroscopic_null.bottomRightCorner(r, pairs), d.negative_second)});
   ComplexMatrix shapes(m.size(), modes.omega.size());
   shapes.topRows(p) = modes.x.cast<Complex>();
   shapes.bottomRows(r) = Complex(0, -1) * modes.y.cast<Complex>();
-  const MassNormalGroups groups({first, second});
-  groups.to_physical(shapes);
-  groups.to_physical(modes.unstable);
   s.path = "quadrature: " + modes.path;
   s.omega = std::move(modes.omega);
   s.unstable = std::move(modes.unstable);

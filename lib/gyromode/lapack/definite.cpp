@@ -21,16 +21,11 @@ std::optional<DefiniteFactor> factorised(AnyMatrix& a, Index n, double norm, Fac
   return f;
 }
 
-// By squares, not by hypot: entries below 1e-154 count as 0.
-template <class AnyMatrix>
-double norm1(const AnyMatrix& a) { return a.cwiseAbs2().cwiseSqrt().colwise().sum().maxCoeff(); }
-
 }  // namespace
 
-std::optional<DefiniteFactor> factor_definite(Matrix a) {
+std::optional<DefiniteFactor> factor_definite(Matrix a, double norm) {
   const Index n = a.rows();
   if (n == 0) return DefiniteFactor{Vector(0), 1};
-  const double norm = norm1(a);
   const auto condition = [&](int order, double of, double* result) {
     Vector work(3 * n);
     std::vector<int> signs(static_cast<std::size_t>(n));
@@ -41,11 +36,10 @@ std::optional<DefiniteFactor> factor_definite(Matrix a) {
 }
 
 // Columns to spare, as for zhetrf (see indefinite.cpp): zgemv of OpenBLAS 0.3.21 reads one beyond the end.
-std::optional<DefiniteFactor> factor_definite(ComplexMatrix a) {
+std::optional<DefiniteFactor> factor_definite(ComplexMatrix a, double norm) {
   constexpr Index spare_columns = 8;
   const Index n = a.rows();
   if (n == 0) return DefiniteFactor{Vector(0), 1};
-  const double norm = norm1(a);
   a.conservativeResizeLike(ComplexMatrix::Zero(n, n + spare_columns));
   const auto condition = [&](int order, double of, double* result) {
     ComplexVector work = ComplexVector::Zero(2 * n);

@@ -1,5 +1,9 @@
 #include "gyromode/structure/ranked_skew.h"
 
+#include "gyromode/lapack/multiply.h"
+#include "gyromode/system/promise.h"
+#include "gyromode/system/scale.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -68,6 +72,11 @@ RankedSkew ranked_skew(Matrix s, Matrix terms) {
   f.null_space = Matrix::Zero(n, free);
   for (Index i = 0; i < n; ++i) f.null_space.row(order[static_cast<std::size_t>(i)]) = all.row(i);
   return f;
+}
+
+RankedSkew ranked_skew_on(const Matrix& g, const Matrix& columns) {
+  const auto congruence = [](const Matrix& c, const Matrix& a) { return lapack::multiply_tn(c, lapack::multiply(a, c)); };
+  return ranked_skew(skew_part(congruence(columns, g)), congruence(columns.cwiseAbs(), entry_scale(g)));
 }
 
 }  // namespace gyromode

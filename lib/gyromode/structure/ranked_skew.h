@@ -17,5 +17,7 @@ struct RankedSkew {
 
 /// `terms`: the size of what each entry was computed from. n × n.
 RankedSkew ranked_skew(Matrix s, Matrix terms);
+/// NᵀGN of a skew G (n × n) on the columns of N, its terms |N|ᵀ entry_scale(G) |N|.
+RankedSkew ranked_skew_on(const Matrix& g, const Matrix& columns);
 
 }  // namespace gyromode

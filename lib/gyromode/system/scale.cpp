@@ -69,6 +69,19 @@ Vector equilibrating_scale(const ComplexMatrix& a) { return equilibrate(a); }
 Matrix scaled(const Matrix& a, const Vector& d) { return d.asDiagonal() * a * d.asDiagonal(); }
 ComplexMatrix scaled(const ComplexMatrix& a, const Vector& d) { return d.asDiagonal() * a * d.asDiagonal(); }
 
+namespace {
+
+template <class AnyMatrix>
+AnyMatrix in_place(AnyMatrix& a, const Vector& d) {
+  for (Index k = 0; k < a.cols(); ++k) a.col(k) = (d(k) * a.col(k).array() * d.array()).matrix();
+  return std::move(a);
+}
+
+}  // namespace
+
+Matrix scaled(Matrix&& a, const Vector& d) { return in_place(a, d); }
+ComplexMatrix scaled(ComplexMatrix&& a, const Vector& d) { return in_place(a, d); }
+
 double norm1(const Matrix& a) { return a.size() == 0 ? 0 : a.cwiseAbs().colwise().sum().maxCoeff(); }
 double norm1(const ComplexMatrix& a) {
   if (a.size() == 0) return 0;

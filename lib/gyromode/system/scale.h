@@ -28,6 +28,9 @@ std::pair<Vector, Vector> own_weights_of_coupling(const Matrix& b);
 /// D A D.
 Matrix scaled(const Matrix& a, const Vector& d);
 ComplexMatrix scaled(const ComplexMatrix& a, const Vector& d);
+/// Of a temporary, in its place.
+Matrix scaled(Matrix&& a, const Vector& d);
+ComplexMatrix scaled(ComplexMatrix&& a, const Vector& d);
 
 /// The power of two nearest to x > 0; 1 for x = 0.
 double power_of_two_near(double x);
