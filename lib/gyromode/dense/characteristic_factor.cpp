@@ -24,10 +24,6 @@ Equilibrated factored(const Impedance& h, Complex lambda) {
   return {d, lapack::ComplexLu(scaled(h.characteristic_at(lambda), d))};
 }
 
-}  // namespace
-
-namespace {
-
 NullPair iterated(const Equilibrated& f, Index n) {
   ComplexVector start(n);  // no structure makes it orthogonal to a null vector
   for (Index i = 0; i < n; ++i) start(i) = std::polar(1.0, 0.7 + 1.9 * static_cast<double>(i * i % 97));
