@@ -86,5 +86,14 @@ TEST_P(HostileSystems, NothingFalseIsClaimed) {
 }
 INSTANTIATE_TEST_SUITE_P(Parts, HostileSystems, testing::Range(std::uint64_t{0}, parts));
 
+// Systems of rare kinds beyond the counts above: one whose masses are sums in null coordinates, where rounding is relative to their terms.
+TEST(HostileSystem, NothingFalseIsClaimedOfRareKinds) {
+  for (const std::uint64_t seed : {98523u}) {
+    const support::HostileSystem h = support::hostile_system(seed);
+    const support::Faults f = support::compare(h.system(), find_modes(h.system()), support::truth_of(h), nullptr);
+    EXPECT_FALSE(f.claims_falsely() || f.refused) << h.description << ": " << f.text;
+  }
+}
+
 }  // namespace
 }  // namespace gyromode

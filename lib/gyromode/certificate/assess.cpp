@@ -42,7 +42,7 @@ ComplexVector whole(const Impedance& h, const Vector& re, const Vector& im) {
   return z;
 }
 
-// c of the error bounds: what c roundings of own_scale, as good as independent, add up to.
+// c of the error bounds: what c roundings of the terms, as good as independent, add up to.
 double roundings(Index n) { return (2 + std::sqrt(static_cast<double>(n))) * epsilon; }
 
 std::vector<Index> chosen(const std::vector<Index>& v, const std::vector<Index>& order) {
@@ -115,7 +115,7 @@ Assessment measured(const Impedance& h, dense::Spectrum& s, const Products& p) {
     const Vector weight = h.weight(omega);
     const double form = p.functional(i).slope(omega);
     own_scale(i) = weight.dot(x2);
-    own_error(i) = (r2.cwiseProduct(x2)).cwiseSqrt().sum() + roundings(h.size()) * own_scale(i);
+    own_error(i) = (r2.cwiseProduct(x2)).cwiseSqrt().sum() + roundings(h.size()) * h.rounding_weight(omega).dot(x2);
     a.residual(i) = h.plain_coordinates() ? std::sqrt(r2.cwiseQuotient(given2).sum() / x2.dot(given2)) / h.given_scale(omega) : h.given_residual(whole(h, r.re, r.im), s.shape(i), omega);
     a.own_residual(i) = std::sqrt((weight.array() > 0).select(r2.cwiseQuotient(weight), 0).sum() / own_scale(i));
     a.form(i) = form / x2.sum();

@@ -1,6 +1,5 @@
 #include "gyromode/certificate/assess_unstable.h"
 
-
 #include <Eigen/SVD>
 
 #include <algorithm>
@@ -50,13 +49,15 @@ Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableR
     const auto in_own_scale = [&](const ComplexVector& residual, double own) { return std::sqrt((weight.array() > 0).select(residual.cwiseAbs2().cwiseQuotient(weight), 0).sum() / own); };
     const double own_x = weight.dot(x.cwiseAbs2()), own_y = weight.dot(y.cwiseAbs2());
     const double own_scale = std::sqrt(own_x * own_y);
+    const Vector of_terms = h.rounding_weight(size);
+    const double rounded = rounding * std::sqrt(of_terms.dot(x.cwiseAbs2()) * of_terms.dot(y.cwiseAbs2()));
     a.residual(i) = h.given_residual(r, x, size);
     a.own_residual(i) = in_own_scale(r, own_x);
     if (!h.quadrature()) {
       const Complex mirrored = -std::conj(lambda);
       a.own_residual(i) = std::max(a.own_residual(i), in_own_scale(of_left.k.col(i) + mirrored * of_left.g.col(i) + (mirrored * mirrored) * of_left.m.col(i), own_y));
     }
-    a.error_bound(i) = (y.cwiseAbs().dot(r.cwiseAbs()) + rounding * own_scale) / slope;
+    a.error_bound(i) = (y.cwiseAbs().dot(r.cwiseAbs()) + rounded) / slope;
     a.sensitivity(i) = own_scale / slope;
   }
   return a;

@@ -110,6 +110,8 @@ const Impedance::Sizes& Impedance::sizes() const {
     z.given_m = norm1_without(m_rr_, d, d);
     z.given_g = norm1_without(g_ri_, d, d);
   }
+  z.terms_g = z.g;
+  z.terms_m = z.m;
   sizes_ = std::move(z);
   return *sizes_;
 }
@@ -149,8 +151,22 @@ std::optional<Impedance> Impedance::with_null_coordinates() const {
   h.sizes_.reset();
   h.change_units();
   h.measure_norms();
-  h.sizes();  // in the new coordinates, but for the norms of what was given
+  h.sizes();  // in the new coordinates, but for the norms of what was given and the terms of the sums
   const double time = h.units_.time;
+  const Vector rows = h.units_.coordinate.head(p), columns = quadrature() ? Vector(h.units_.coordinate.tail(size() - p)) : rows;
+  const auto terms_of_sums = [](const Matrix& left, const Matrix& a, const Matrix& right, const Vector& row_units, const Vector& column_units, double rate) {
+    Matrix t = left.cwiseAbs().transpose() * entry_scale(a) * right.cwiseAbs();
+    change_units_of(t, row_units, column_units, rate);
+    return t;
+  };
+  if (quadrature()) {
+    h.sizes_->terms_m << terms_of_sums(b1, m_rr_, b1, rows, rows, 1).diagonal(), terms_of_sums(b2, m_ii_, b2, columns, columns, 1).diagonal();
+    const auto [of_rows, of_columns] = own_weights_of_coupling(terms_of_sums(b1, g_ri_, b2, rows, columns, time));
+    h.sizes_->terms_g << of_rows, of_columns;
+  } else {
+    h.sizes_->terms_m = terms_of_sums(b1, m_rr_, b1, rows, rows, 1).diagonal();
+    h.sizes_->terms_g = own_weights(terms_of_sums(b1, g_ri_, b1, rows, rows, time));
+  }
   h.sizes_->given_k = given.given_k * time * time;
   h.sizes_->given_g = given.given_g * time;
   h.sizes_->given_m = given.given_m;
@@ -197,6 +213,11 @@ double Impedance::given_scale(double omega) const {
 Vector Impedance::weight(double omega) const {
   const Sizes& z = sizes();
   return second_order_ ? Vector(z.k + omega * (z.g + omega * z.m)) : Vector(z.g + omega * z.m);
+}
+
+Vector Impedance::rounding_weight(double omega) const {
+  const Sizes& z = sizes();
+  return second_order_ ? Vector(z.k + omega * (z.terms_g + omega * z.terms_m)) : Vector(z.terms_g + omega * z.terms_m);
 }
 
 // [on_k K₁ + on_m M₁, on_g B; ·, on_k K₂ + on_m M₂]

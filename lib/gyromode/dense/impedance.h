@@ -71,6 +71,9 @@ class Impedance {
   /// Entry by entry |K_ik| ≤ √(κ_i κ_k), with equality up to a factor of two somewhere in each row; likewise for G and M. weight_i(ω) = κ_i + ωg_i + ω²m_i (g_i + ωm_i in first order): a backward error
   /// of η in every coefficient, each in its own scale, changes xᴴHx by at most about η Σ weight_i |x_i|². Changes of units leave it as it is.
   Vector weight(double omega) const;
+  /// The same for what the coefficients were computed from: a rounding error of ε in every operation that made them changes xᴴHx by at most some ε Σ rounding_weight_i |x_i|². weight(ω) where they were given; in
+  /// null coordinates M and G are sums, and the sizes are those of the terms.
+  Vector rounding_weight(double omega) const;
 
   /// The three real symmetric or skew matrices, restricted to the rows that carry the real (r) and the imaginary (i) parts of a shape. Without a partition
   /// both are all rows.
@@ -84,6 +87,7 @@ class Impedance {
   // What solvers do not need and certificates do, made when first asked for.
   struct Sizes {
     Vector k, g, m;                              // of entries in their own place: see weight()
+    Vector terms_g, terms_m;                     // of the terms of sums: see rounding_weight(); g and m where nothing was summed
     double given_k = 0, given_g = 0, given_m = 0;  // norms of the matrices given, in the component's unit of time
   };
 

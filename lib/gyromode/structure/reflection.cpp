@@ -6,6 +6,7 @@
 #include "gyromode/system/promise.h"
 
 #include <cmath>
+#include <utility>
 
 namespace gyromode {
 
@@ -39,7 +40,8 @@ class Linearised {
   Matrix k1_, k2_, b_;
 };
 
-Matrix least_squares(const Linearised& a, Conditions residual) {
+// Conjugate gradients until the gradient is small, or the residual: below a tenth of `small` it need not become less where a step takes little off it.
+Matrix least_squares(const Linearised& a, Conditions residual, double small) {
   constexpr int steps = 80;
   constexpr double enough = 1e-4;  // of the gradient: the next turn goes on from there
   Matrix gradient = a.back(residual);
@@ -47,6 +49,7 @@ Matrix least_squares(const Linearised& a, Conditions residual) {
   Matrix direction = gradient;
   double length = gradient.squaredNorm();
   const double first = length;
+  double left = residual.squared();
   for (int step = 0; step < steps && length > enough * enough * first && length > 0; ++step) {
     const Conditions image = a.at(direction);
     const double size = image.squared();
@@ -56,6 +59,8 @@ Matrix least_squares(const Linearised& a, Conditions residual) {
     residual.k12 -= alpha * image.k12;
     residual.gamma1 -= alpha * image.gamma1;
     residual.gamma2 -= alpha * image.gamma2;
+    const double before = std::exchange(left, residual.squared());
+    if (left < 1e-2 * small * small && left > 0.8 * before) break;
     gradient = a.back(residual);
     const double next = gradient.squaredNorm();
     direction = gradient + (next / length) * direction;
@@ -107,7 +112,7 @@ Reflection turned(const Matrix& k, const Matrix& gamma, Reflection r, double uni
   constexpr int turns = 8;
   const auto size = [&](const Reflection& s) { return std::hypot(s.breach_k() / unit_k, s.breach_gamma() / unit_gamma); };
   for (int turn = 0; turn < turns && size(r) > enough; ++turn) {
-    const Matrix theta = least_squares(Linearised(r, unit_k, unit_gamma), {-r.k12 / unit_k, -r.gamma1 / unit_gamma, -r.gamma2 / unit_gamma});
+    const Matrix theta = least_squares(Linearised(r, unit_k, unit_gamma), {-r.k12 / unit_k, -r.gamma1 / unit_gamma, -r.gamma2 / unit_gamma}, enough);
     Reflection next(k, gamma, lapack::orthonormal_columns(r.plus - multiply_nt(r.minus, theta)), lapack::orthonormal_columns(r.minus + multiply(r.plus, theta)));
     const double gain = size(next) / size(r);
     if (!(gain < 1)) break;

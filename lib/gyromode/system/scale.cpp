@@ -51,8 +51,8 @@ std::pair<Vector, Vector> own_weights_of_coupling(const Matrix& b) {
 Vector own_weights(const Matrix& a) { return own_weights_of_coupling(a).first; }
 
 Matrix entry_scale(const Matrix& a) {
-  const Vector root = own_weights(a).cwiseSqrt();
-  return a.cwiseAbs().cwiseMax(root * root.transpose());
+  const auto [rows, columns] = own_weights_of_coupling(a);
+  return a.cwiseAbs().cwiseMax(rows.cwiseSqrt() * columns.cwiseSqrt().transpose());
 }
 
 double power_of_two_near(double x) { return x == 0 ? 1 : std::exp2(std::round(std::log2(x))); }

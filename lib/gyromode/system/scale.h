@@ -20,10 +20,10 @@ Vector equilibrating_scale(const ComplexMatrix& a);
 /// w with |a_ik| ≤ √(w_i w_k) up to a factor of two, near equality somewhere in every row; 0 for rows of zeros. For a square matrix with |a_ik| = |a_ki|: how large an entry is in its own
 /// place. By Ruiz's sweeps.
 Vector own_weights(const Matrix& a);
-/// √(w_i w_k) of these weights, and not less than |a_ik|: what rounding of a, by whoever made it, is relative to.
-Matrix entry_scale(const Matrix& a);
 /// The same weights for the rows and the columns of a block b that couples two groups.
 std::pair<Vector, Vector> own_weights_of_coupling(const Matrix& b);
+/// √(w_i w_k) of these weights of rows and columns, and not less than |a_ik|: what rounding of a, by whoever made it, is relative to.
+Matrix entry_scale(const Matrix& a);
 
 /// D A D.
 Matrix scaled(const Matrix& a, const Vector& d);
