@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace gyromode {
@@ -53,16 +52,16 @@ std::optional<Index> signature(const Impedance& h, const dense::Spectrum& s, Ind
 }
 
 // Positive minus negative roots in a cluster: the change of n₋(H) across it, counted as near to it as the factorisations are sure, and no farther than
-// half way to the roots beside it. `counts` are left for this and all clusters after it.
-std::optional<Index> jump(const Impedance& h, const dense::Spectrum& s, const Assessment& a, Index first, Index last, Index& counts) {
+// half way to the roots beside it. In a large system, where a factorisation costs, at the widest of these distances only.
+std::optional<Index> jump(const Impedance& h, const dense::Spectrum& s, const Assessment& a, Index first, Index last) {
   const double before = first > 0 ? s.omega(first - 1) + movement(s, a, first - 1) : 0;
   const double after = last + 1 < s.omega.size() ? s.omega(last + 1) - movement(s, a, last + 1) : 2 * s.omega(last);
   if (!(before < s.omega(first)) || !(after > s.omega(last))) return std::nullopt;
   const double lowest = 0.5 * (before + s.omega(first)), highest = 0.5 * (after + s.omega(last));
-  const double most = s.size() <= 64 ? 1e15 : 4096;  // near a root of high defect H is singular far beyond what first order tells
+  const bool small = s.size() <= 64;
+  const double nearest = small ? 4 : 4096, farthest = small ? 1e15 : 4096;  // near a root of high defect H is singular far beyond what first order tells
   double below = s.omega(first), above = s.omega(last);
-  for (double factor = 4; factor <= most && counts >= 2 && (below > lowest || above < highest); factor *= 8) {
-    counts -= 2;
+  for (double factor = nearest; factor <= farthest && (below > lowest || above < highest); factor *= 8) {
     below = std::max(s.omega(first) - factor * movement(s, a, first), lowest);
     above = std::min(s.omega(last) + factor * movement(s, a, last), highest);
     const Inertia low = h.negative_at(below);
@@ -84,7 +83,7 @@ void assign(EnergySigns& signs, Index first, Index last, Index difference) {
 EnergySigns signs_of_clusters(const Impedance& h, const dense::Spectrum& s, const Assessment& a) {
   EnergySigns signs;
   const Index m = s.omega.size();
-  Index counts = s.size() <= 64 ? std::numeric_limits<Index>::max() : 16;  // each a factorisation
+  Index jumps = s.size() <= 64 ? m : 8;  // each two factorisations in a large system
   for (Index i = 0; i < m; ++i) signs.sign.push_back(a.form(i) > 0 ? 1 : -1);
   for (Index first = 0, last; first < m; first = last + 1) {
     last = end_of_cluster(s, a, first);
@@ -96,7 +95,7 @@ EnergySigns signs_of_clusters(const Impedance& h, const dense::Spectrum& s, cons
       difference += signs.sign[static_cast<std::size_t>(i)];
     }
     std::optional<Index> known = all_sure ? signature(h, s, first, last) : std::nullopt;
-    if (!known) known = jump(h, s, a, first, last, counts);
+    if (!known && jumps-- > 0) known = jump(h, s, a, first, last);
     assign(signs, first, last, known.value_or(difference));
   }
   for (Index i = 0; i + 1 < m; ++i) {
