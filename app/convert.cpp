@@ -1,8 +1,8 @@
 #include "errors.h"
-#include "exit_code.h"
 #include "input.h"
 #include "verbs.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/dense/constant_form.h"
 #include "gyromode/dense/spectrum.h"
 #include "gyromode/dense/unitary_form.h"
@@ -71,7 +71,7 @@ std::string write_unitary_form(const fs::path& folder, const System& s, const Op
   return ", W.mtx, U.mtx, Q1.mtx, Q2.mtx";
 }
 
-int run(const Options& o) {
+ExitCode run(const Options& o) {
   if (o.transformation && !o.realified) throw UsageError("--transformation goes with --realified");
   io::Model model = o.source.read();
   if (const auto* craft = std::get_if<Spacecraft>(&model.system)) model.system = System(discretise(*craft, Mesh{o.elements.value_or(Mesh{}.elements), 1}));
@@ -79,16 +79,16 @@ int run(const Options& o) {
   const auto* second_order = std::get_if<System>(&model.system);
   std::optional<dense::ConstantForm> form;  // symmetric, where there is one
   if (o.realified) {
-    if (!second_order) throw dense::MethodDoesNotApply("--realified is for models of second order: eigenvalues of W are their ω²");
+    if (!second_order) throw NotApplicable("--realified is for models of second order: eigenvalues of W are their ω²");
     try {
       form = dense::constant_form(*second_order, analyse(*second_order, HiddenSearch::always));
-    } catch (const dense::MethodDoesNotApply& why) {
+    } catch (const NotApplicable& why) {
       if (!o.quiet) fmt::print(stderr, "gyromode: W is not symmetric, as ω² may be complex: {}. It is real, upper Hessenberg, by a unitary matrix\n", why.what());
     }
   }
   std::error_code error;
   fs::create_directories(o.folder, error);
-  if (!fs::is_directory(o.folder)) throw io::InputError(o.folder, "cannot be made a folder: a place to write matrices was expected");
+  if (!fs::is_directory(o.folder)) throw Unreadable(o.folder, "cannot be made a folder: a place to write matrices was expected");
   std::visit([&](const auto& system) {
     if constexpr (!std::is_same_v<std::decay_t<decltype(system)>, Spacecraft>) write_system(o.folder, system, model.title);
   }, model.system);
@@ -97,7 +97,7 @@ int run(const Options& o) {
   else if (o.realified) names += write_unitary_form(o.folder, *second_order, o, model.title);
   if (!o.quiet && model.ignored) fmt::print(stderr, "gyromode: {}\n", in_words(*model.ignored));
   if (!o.quiet) fmt::print(stderr, "gyromode: {} written to {}\n", names, o.folder);
-  return done;
+  return ExitCode::done;
 }
 
 }  // namespace

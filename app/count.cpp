@@ -1,5 +1,4 @@
 #include "errors.h"
-#include "exit_code.h"
 #include "job.h"
 #include "verbs.h"
 
@@ -18,17 +17,17 @@ struct Options {
   OutputOption output;
 };
 
-int run(const Options& o) {
+ExitCode run(const Options& o) {
   if (!o.window.given()) throw UsageError("count needs a window: --below W or --window A:B");
   Job job(o.source, o.output);
   const Window window = o.window.read();
   const CountResult result = job.solve([&](const auto& system) { return count_modes(system, window); });
   o.output.write(document(job.model(), result, job.timings(), o.output.chosen()));
-  if (result.status == CountStatus::exact) return done;
+  if (result.status == CountStatus::exact) return ExitCode::done;
   o.output.say(result.status == CountStatus::signed_only
                    ? "only the signed count is known: the index balance of this indefinite K does not close"
                    : "the count is doubtful: an end of the window is on a root to rounding");
-  return not_certified;
+  return ExitCode::not_certified;
 }
 
 }  // namespace

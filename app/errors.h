@@ -1,17 +1,18 @@
 #pragma once
 
+#include "gyromode/base/error.h"
+
 #include <functional>
-#include <stdexcept>
 
 namespace gyromode::app {
 
-/// Wrong usage found after parsing: exit 1.
-class UsageError : public std::invalid_argument {
+/// Wrong usage found after parsing.
+class UsageError : public InvalidArgument {
  public:
-  using std::invalid_argument::invalid_argument;
+  using InvalidArgument::InvalidArgument;
 };
 
 /// Runs a verb, and turns what it throws into one line on stderr and the exit code that belongs to it.
-int guarded(const std::function<int()>& verb);
+int guarded(const std::function<ExitCode()>& verb);
 
 }  // namespace gyromode::app

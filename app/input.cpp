@@ -2,11 +2,12 @@
 
 #include "errors.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/dense/spectrum.h"
-#include "gyromode/io/number.h"
+#include "gyromode/base/number.h"
 #include "gyromode/io/toml_table.h"
-#include "gyromode/io/unit.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/base/quantity.h"
+#include "gyromode/system/laws.h"
 
 #include <fmt/format.h>
 
@@ -15,8 +16,8 @@ namespace gyromode::app {
 // A fraction of the largest entry; written so that NaN fails.
 std::string no_small_fraction(const std::string& text) {
   constexpr double most = 0.1;
-  const io::Parsed p = io::parse_real(text);
-  if (p.outcome == io::Parsed::ok && p.value >= 0 && p.value <= most) return "";
+  const Parsed p = parse_real(text);
+  if (p.outcome == Parsed::ok && p.value >= 0 && p.value <= most) return "";
   return fmt::format("'{}' where a fraction from 0 to {} was expected", text, most);
 }
 
@@ -36,10 +37,9 @@ template <class Reader>
 io::Model promised(const std::string& files, Reader&& reader) {
   try {
     return reader();
-  } catch (const io::BrokenLaw&) {
-    throw;
-  } catch (const BrokenPromise& e) {
-    throw BrokenPromise(fmt::format("{}: {}", files, e.what()));
+  } catch (const LawBroken& e) {
+    if (e.located()) throw;
+    throw LawBroken(fmt::format("{}: {}", files, e.what()));
   }
 }
 
@@ -51,7 +51,7 @@ io::Model ModelSource::admitted(io::Model m) const {
   };
   if (auto* second_order = std::get_if<System>(&m.system)) reduce(*second_order);
   else if (auto* first_order = std::get_if<FirstOrderSystem>(&m.system)) reduce(*first_order);
-  else throw dense::MethodDoesNotApply("--coupling-tolerance is for matrix models: the couplings of a spacecraft follow from its parts");
+  else throw NotApplicable("--coupling-tolerance is for matrix models: the couplings of a spacecraft follow from its parts");
   return m;
 }
 
@@ -91,8 +91,8 @@ Window WindowOption::read() const {
 }
 
 double frequency_option(const std::string& option, const std::string& text) {
-  const auto value = io::parse_frequency(text);
-  if (!value) throw UsageError(fmt::format("{} {}: '{}' is no frequency: {} was expected", option, text, text, io::frequency_form));
+  const auto value = parse_frequency(text);
+  if (!value) throw UsageError(fmt::format("{} {}: '{}' is no frequency: {} was expected", option, text, text, frequency_form));
   return *value;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/io/model.h"
-#include "gyromode/modes/window.h"
+#include "gyromode/spectrum/window.h"
 
 #include <CLI/CLI.hpp>
 
@@ -18,7 +18,7 @@ struct ModelSource {
   void add_to(CLI::App& verb);
   /// The model as every verb sees it: read, and without the couplings that are to be left out.
   io::Model read() const;
-  /// The same of a model already made: its system without those couplings. Throws dense::MethodDoesNotApply for a spacecraft, whose couplings follow from its parts.
+  /// The same of a model already made: its system without those couplings. Throws NotApplicable for a spacecraft, whose couplings follow from its parts.
   io::Model admitted(io::Model model) const;
 };
 

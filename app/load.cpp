@@ -4,7 +4,7 @@
 #include "input.h"
 
 #include "gyromode/io/nearest.h"
-#include "gyromode/io/number.h"
+#include "gyromode/base/number.h"
 
 #include <fmt/format.h>
 
@@ -16,8 +16,8 @@ namespace gyromode::app {
 namespace {
 
 double number(const std::string& text, const std::string& whole, const std::string& option) {
-  const io::Parsed p = io::parse_real(text);
-  if (p.outcome != io::Parsed::ok) throw UsageError(fmt::format("{} {}: '{}' is no finite number", option, whole, text));
+  const Parsed p = parse_real(text);
+  if (p.outcome != Parsed::ok) throw UsageError(fmt::format("{} {}: '{}' is no finite number", option, whole, text));
   return p.value;
 }
 
@@ -75,7 +75,7 @@ std::vector<BoomPoint> points_of(const std::vector<std::string>& texts) {
     const std::string kind = text.substr(0, digits);
     const bool mass = kind == "mass";
     std::int64_t which = 0;  // there is no part 0
-    if (digits != std::string::npos) which = io::whole_number(text.substr(digits, at == std::string::npos ? at : at - digits)).value_or(0);
+    if (digits != std::string::npos) which = whole_number(text.substr(digits, at == std::string::npos ? at : at - digits)).value_or(0);
     if ((kind != "cable" && kind != "beam" && !mass) || which < 1 || mass != (at == std::string::npos)) {
       throw UsageError(fmt::format("--points {}: cable1@0.5, beam1@1 or mass1 was expected", text));
     }
@@ -90,7 +90,7 @@ Vector frequency_grid(const std::string& option, const std::string& text) {
   const std::size_t first = text.find(':'), second = first == std::string::npos ? first : text.find(':', first + 1);
   if (second == std::string::npos) throw UsageError(fmt::format("{} {}: A:B:N was expected, such as 1Hz:50Hz:200", option, text));
   const double a = frequency_option(option, text.substr(0, first)), b = frequency_option(option, text.substr(first + 1, second - first - 1));
-  const auto n = io::whole_number(text.substr(second + 1));
+  const auto n = whole_number(text.substr(second + 1));
   if (!n || *n < 2 || *n > 1000000) throw UsageError(fmt::format("{} {}: a number of points from 2 to 1000000 was expected at the end", option, text));
   if (!(a >= 0) || !(b > a)) throw UsageError(fmt::format("{} {}: 0 ≤ A < B was expected", option, text));
   return Vector::LinSpaced(static_cast<Index>(*n), a, b);

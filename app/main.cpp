@@ -1,6 +1,6 @@
-#include "exit_code.h"
 #include "verbs.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/io/nearest.h"
 #include "gyromode/lapack/memory.h"
 #include "gyromode/version.h"
@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
       "  gyromode modes --mass M.mtx --gyroscopic G.mtx --stiffness K.mtx --below 50Hz -o modes.json\n"
       "  gyromode structure models/wiresaw.toml\n"
       "Exit codes: 0 done and certified, 1 usage, 2 unreadable input, 3 input against a law, 4 not certified complete, 70 internal error.");
-  int code = done;
+  int code = 0;
   add_modes(program, code);
   add_structure(program, code);
   add_count(program, code);
@@ -45,14 +45,14 @@ int main(int argc, char** argv) {
   const std::vector<std::string_view> verbs = verbs_of(program);
   if (argc > 1 && argv[1][0] != '-' && std::find(verbs.begin(), verbs.end(), argv[1]) == verbs.end()) {
     std::fprintf(stderr, "gyromode: '%s' is no verb: did you mean '%s'? (see gyromode --help)\n", argv[1], gyromode::io::nearest(argv[1], verbs).c_str());
-    return wrong_usage;
+    return static_cast<int>(gyromode::ExitCode::wrong_usage);
   }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(e);
     std::fprintf(stderr, "gyromode: %s (see gyromode --help)\n", e.what());
-    return wrong_usage;
+    return static_cast<int>(gyromode::ExitCode::wrong_usage);
   }
   return code;
 }

@@ -1,10 +1,10 @@
 #include "errors.h"
-#include "exit_code.h"
 #include "job.h"
 #include "verbs.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/io/nearest.h"
-#include "gyromode/io/number.h"
+#include "gyromode/base/number.h"
 #include "gyromode/modes/discrete.h"
 #include "gyromode/modes/keep.h"
 #include "gyromode/modes/modes.h"
@@ -41,7 +41,7 @@ dense::Method method_named(const std::string& name, bool spacecraft) {
   if (name == "general") return dense::Method::general;
   if (name == "first-order") return dense::Method::first_order;
   if (name == "symmetric-2n") return dense::Method::symmetric_2n;
-  throw dense::MethodDoesNotApply(fmt::format("method '{}' serves spacecraft models with continuum booms, and this is a matrix model; 'auto', 'quadrature', 'hidden', 'general', "
+  throw NotApplicable(fmt::format("method '{}' serves spacecraft models with continuum booms, and this is a matrix model; 'auto', 'quadrature', 'hidden', 'general', "
                                               "'first-order' or 'symmetric-2n' apply", name));
 }
 
@@ -67,13 +67,13 @@ ModesResult solved(Job& job, const Options& o, ModesOptions options) {
     if (o.elements) throw UsageError("--elements belongs to --method discrete of a spacecraft model");
     if (!o.keep.empty()) {
       const auto* system = std::get_if<System>(&job.model().system);
-      if (!system) throw dense::MethodDoesNotApply("--keep condenses M, G, K of second order; this model is of first order");
+      if (!system) throw NotApplicable("--keep condenses M, G, K of second order; this model is of first order");
       const std::vector<Index> kept = kept_coordinates(o.keep, system->labels());
       return job.solve([&](const auto&) { return find_modes_keeping(*system, kept, options); });
     }
     return job.solve([&](const auto& system) { return find_modes(system, options); });
   }
-  if (!o.keep.empty()) throw dense::MethodDoesNotApply("--keep condenses matrix models; a spacecraft with exact booms is condensed onto its body already");
+  if (!o.keep.empty()) throw NotApplicable("--keep condenses matrix models; a spacecraft with exact booms is condensed onto its body already");
   if (o.elements && o.method != "discrete") throw UsageError("--elements belongs to --method discrete");
   const bool infinite = o.method != "discrete" && !(craft->cables().empty() && craft->beams().empty());
   if (o.all && infinite) {
@@ -88,7 +88,7 @@ ModesResult solved(Job& job, const Options& o, ModesOptions options) {
   return job.solve([&](const auto&) { return find_modes(spacecraft, mesh, options); });
 }
 
-int run(const Options& given) {
+ExitCode run(const Options& given) {
   Options o = given;
   Job job(o.source, o.output);
   o.output.pictures = std::holds_alternative<Spacecraft>(job.model().system) && o.method != "discrete";
@@ -109,14 +109,14 @@ int run(const Options& given) {
     for (const Mode& m : result.modes) vibrations += m.kind != ModeKind::rigid_body ? 1 : 0;
     if (vibrations > *o.lowest) o.output.say(fmt::format("mode {} coincides with the next: {} modes are listed", *o.lowest, vibrations));
   }
-  if (c.status == CoverageStatus::complete) return done;
+  if (c.status == CoverageStatus::complete) return ExitCode::done;
   o.output.say(fmt::format("not certified complete: {}", c.reason));
-  return not_certified;
+  return ExitCode::not_certified;
 }
 
 // Why the text is no whole number above 0; empty where it is one.
 std::string above_zero(const std::string& text) {
-  const auto n = io::whole_number(text);
+  const auto n = whole_number(text);
   return n && *n > 0 ? "" : fmt::format("'{}' is no whole number above 0", text);
 }
 

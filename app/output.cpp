@@ -2,6 +2,7 @@
 
 #include "errors.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/io/write_file.h"
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ void OutputOption::write(const std::string& text) const {
     return;
   }
   std::fwrite(text.data(), 1, text.size(), stdout);
-  if (std::fflush(stdout) != 0) throw io::InputError("stdout", "the result could not be written");
+  if (std::fflush(stdout) != 0) throw Unreadable("stdout", "the result could not be written");
 }
 
 void OutputOption::say(const std::string& line) const {

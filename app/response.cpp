@@ -1,9 +1,9 @@
 #include "errors.h"
-#include "exit_code.h"
 #include "job.h"
 #include "load.h"
 #include "verbs.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/io/initial_state.h"
 #include "gyromode/motion/frequency_response.h"
 #include "gyromode/motion/spacecraft_response.h"
@@ -81,7 +81,7 @@ io::ResponseReport moved(const Spacecraft& spacecraft, const Options& o) {
 }
 
 io::ResponseReport moved(const FirstOrderSystem&, const Options&) {
-  throw dense::MethodDoesNotApply("response needs a model of second order, with displacements and velocities; this one is of first order");
+  throw NotApplicable("response needs a model of second order, with displacements and velocities; this one is of first order");
 }
 
 io::FrequencyReport swept(const System& system, const Options& o) {
@@ -89,7 +89,7 @@ io::FrequencyReport swept(const System& system, const Options& o) {
 }
 template <class Other>
 io::FrequencyReport swept(const Other&, const Options&) {
-  throw dense::MethodDoesNotApply("--frequencies is for matrix models of second order (gyromode convert writes the matrices of a spacecraft)");
+  throw NotApplicable("--frequencies is for matrix models of second order (gyromode convert writes the matrices of a spacecraft)");
 }
 
 void say_resonances(const io::FrequencyReport& r, const OutputOption& output) {
@@ -112,7 +112,7 @@ bool certified(const io::ResponseReport& r, const OutputOption& output) {
   return r.balance_closed && r.departure <= loose && r.phase_error <= loose;
 }
 
-int run(const Options& o) {
+ExitCode run(const Options& o) {
   const bool sweep = !o.frequencies.empty();
   if (sweep && (!o.initial.empty() || o.until || o.step || !o.times.empty() || !o.points.empty())) throw UsageError("--frequencies is the response at steady frequencies: no initial state, no times");
   if (sweep && o.forces.empty()) throw UsageError("--frequencies needs a force: --force LABEL=F");
@@ -122,13 +122,13 @@ int run(const Options& o) {
     const io::FrequencyReport report = job.solve([&](const auto& system) { return swept(system, o); });
     o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
     say_resonances(report, o.output);
-    return done;
+    return ExitCode::done;
   }
   io::ResponseReport report = job.solve([&](const auto& system) { return moved(system, o); });
   report.rates = o.rates;
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
   if (!report.remark.empty()) o.output.say(report.remark);
-  return certified(report, o.output) ? done : not_certified;
+  return certified(report, o.output) ? ExitCode::done : ExitCode::not_certified;
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "errors.h"
-#include "exit_code.h"
 #include "job.h"
 #include "verbs.h"
 
-#include "gyromode/io/number.h"
+#include "gyromode/base/error.h"
+#include "gyromode/base/number.h"
 #include "gyromode/io/varied_model.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/spacecraft.h"
@@ -42,7 +42,7 @@ Axis axis_of(const std::string& text) {
   if (equals == std::string::npos || second == std::string::npos) throw UsageError(fmt::format("--vary {}: KEY=A:B:N was expected, such as spin=5rpm:20rpm:31", text));
   Axis axis{text.substr(0, equals), {}};
   const double a = bound(axis.key, text.substr(equals + 1, first - equals - 1), text), b = bound(axis.key, text.substr(first + 1, second - first - 1), text);
-  const auto n = io::whole_number(text.substr(second + 1));
+  const auto n = whole_number(text.substr(second + 1));
   if (!n || *n < 2 || *n > most) throw UsageError(fmt::format("--vary {}: a number of values from 2 to {} was expected at the end", text, most));
   if (!(b > a) || !std::isfinite(b - a)) throw UsageError(fmt::format("--vary {}: finite A < B was expected", text));
   for (std::int64_t k = 0; k < *n; ++k) axis.values.push_back(k + 1 == *n ? b : a + (b - a) * static_cast<double>(k) / static_cast<double>(*n - 1));
@@ -59,7 +59,7 @@ StabilityPoint verdict_at(const io::VariedModel& varied, const std::vector<std::
   try {
     const io::Model model = o.source.admitted(varied.at(keys, values));
     return stability_point(std::visit([&](const auto& system) { return find_modes(system, options_of(model)); }, model.system));
-  } catch (const BrokenPromise& e) {
+  } catch (const LawBroken& e) {
     StabilityPoint p;
     p.lawful = false;
     p.reason = e.what();
@@ -83,7 +83,7 @@ StabilityMap mapped(const Options& o, const std::vector<Axis>& axes, std::vector
   for (const Axis& axis : axes) {
     try {
       varied.require_key(axis.key);
-    } catch (const std::invalid_argument& e) {
+    } catch (const InvalidArgument& e) {
       throw UsageError(fmt::format("--vary: {}", e.what()));
     }
     keys.push_back(axis.key);
@@ -101,7 +101,7 @@ StabilityMap mapped(const Options& o, const std::vector<Axis>& axes, std::vector
   return map_stability([&](const std::vector<double>& at) { return verdict_at(varied, keys, at, o); }, std::move(values), progress);
 }
 
-int run(const Options& o) {
+ExitCode run(const Options& o) {
   std::vector<Axis> axes;
   for (const std::string& text : o.vary) axes.push_back(axis_of(text));
   if (axes.size() == 2 && axes[0].key == axes[1].key) throw UsageError(fmt::format("--vary: '{}' is given twice", axes[0].key));
@@ -119,9 +119,9 @@ int run(const Options& o) {
   }
   if (!axes.empty()) report.map = mapped(o, axes, report.varied);
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
-  if (report.result.stability != Stability::unknown) return done;
+  if (report.result.stability != Stability::unknown) return ExitCode::done;
   o.output.say(fmt::format("the verdict is unknown: {}", report.result.coverage.reason));
-  return not_certified;
+  return ExitCode::not_certified;
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include "errors.h"
-#include "exit_code.h"
 #include "job.h"
 #include "verbs.h"
 
@@ -53,7 +52,7 @@ ComplexMatrix impedance_of(const Spacecraft& spacecraft, const Options& o, doubl
   return impedance_at(spacecraft, omega);
 }
 
-int run(const Options& o) {
+ExitCode run(const Options& o) {
   Job job(o.source, o.output);
   const io::StructureReport report = job.solve([&](const auto& system) {
     io::StructureReport r;
@@ -68,7 +67,7 @@ int run(const Options& o) {
     return r;
   });
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
-  return done;
+  return ExitCode::done;
 }
 
 }  // namespace

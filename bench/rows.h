@@ -2,7 +2,7 @@
 
 #include "interleaved.h"
 
-#include "gyromode/lapack/types.h"
+#include "gyromode/base/types.h"
 
 #include <filesystem>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "campaign/hostile_system.h"
 
-#include "gyromode/modes/result.h"
+#include "gyromode/spectrum/result.h"
 #include "reference/high_precision.h"
 
 #include <string>

@@ -1,5 +1,6 @@
 // Counts by Sylvester's law against eigenvalues: of matrices made with known inertia, and of H(ω) of random systems in both classes.
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/impedance.h"
 #include "gyromode/dense/inertia.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -18,8 +18,6 @@ namespace gyromode {
 namespace {
 
 using Random = std::mt19937_64;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
 Matrix random_matrix(Index rows, Index cols, Random& random) {
   std::normal_distribution<double> normal;
   return Matrix::NullaryExpr(rows, cols, [&] { return normal(random); });

@@ -1,3 +1,5 @@
+#include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/constant_form.h"
 #include "gyromode/dense/spectrum.h"
 #include "gyromode/modes/modes.h"
@@ -13,8 +15,6 @@ using namespace gyromode;
 using support::Source;
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 dense::ConstantForm form_of(const System& s) { return dense::constant_form(s, analyse(s, HiddenSearch::always)); }
 
@@ -66,11 +66,11 @@ TEST(ConstantForm, PartitionVisibleAndHidden) {
     bool applies = true;
     try {
       form_of(s.plain);
-    } catch (const dense::MethodDoesNotApply&) {
+    } catch (const NotApplicable&) {
       applies = false;
     }
     if (!applies) {
-      EXPECT_THROW(form_of(s.hidden), dense::MethodDoesNotApply);
+      EXPECT_THROW(form_of(s.hidden), NotApplicable);
       continue;
     }
     expect_form(s.plain, s.description.c_str());
@@ -92,6 +92,6 @@ TEST(ConstantForm, ZeroModes) {
 
 TEST(ConstantForm, RefusedWithTheReason) {
   Source s{std::mt19937_64(3)};
-  EXPECT_THROW(form_of(System(Matrix::Identity(5, 5), s.skew(5), s.symmetric(5, 2))), dense::MethodDoesNotApply);
-  EXPECT_THROW(form_of(System(Matrix::Identity(2, 2), Matrix{{0, -3}, {3, 0}}, Matrix{{-1, 0}, {0, -2}})), dense::MethodDoesNotApply);
+  EXPECT_THROW(form_of(System(Matrix::Identity(5, 5), s.skew(5), s.symmetric(5, 2))), NotApplicable);
+  EXPECT_THROW(form_of(System(Matrix::Identity(2, 2), Matrix{{0, -3}, {3, 0}}, Matrix{{-1, 0}, {0, -2}})), NotApplicable);
 }

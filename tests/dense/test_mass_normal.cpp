@@ -1,5 +1,6 @@
 // Mass-normal coordinates: identities of the congruences.
 #include "support/random_matrices.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/mass_normal.h"
 
 #include <gtest/gtest.h>
@@ -9,15 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace gyromode::dense {
 namespace {
 
 using support::Source;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 TEST(MassNormal, Identities) {
   Source source{std::mt19937_64(14)};

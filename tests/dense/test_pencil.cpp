@@ -1,5 +1,6 @@
 // Self-adjoint pencils: real roots of definite ones, conjugate pairs of indefinite ones, nothing of singular ones.
 #include "support/random_matrices.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/pencil.h"
 
 #include <gtest/gtest.h>
@@ -10,15 +11,12 @@
 #include <numeric>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace gyromode::dense {
 namespace {
 
 using support::Source;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 ComplexMatrix hermitian(Source& source, Index n) {
   ComplexMatrix a(n, n);

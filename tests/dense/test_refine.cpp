@@ -1,5 +1,6 @@
 // Refinement brings a perturbed root back, and to no other.
 #include "support/random_matrices.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/certificate/assess.h"
 #include "gyromode/dense/refine.h"
 #include "gyromode/dense/solve.h"
@@ -11,15 +12,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace gyromode::dense {
 namespace {
 
 using support::Source;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 System refinable(Source& source, Index n, bool quadrature, Index negative) {
   Matrix m = source.symmetric(n, 0), k = source.symmetric(n, negative), g = 2 * source.skew(n);

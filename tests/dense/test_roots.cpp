@@ -1,5 +1,6 @@
 // The dense solvers against the plain eigenvalues of the companion matrix of order 2n.
 #include "support/random_matrices.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/definite.h"
 #include "gyromode/dense/indefinite.h"
 #include "gyromode/dense/quadrature.h"
@@ -18,8 +19,6 @@ namespace {
 
 using support::Source;
 using support::lower_root;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 ComplexVector all_roots(const Vector& omega, const UnstableRoots& unstable) {
   std::vector<Complex> roots;

@@ -1,6 +1,7 @@
 // The skew tridiagonalisation against its slow twins: Z = Q T Qᵀ rebuilt, Q orthogonal, and the product kernel against the product.
 #include "support/random_matrices.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/skew_multiply.h"
 #include "gyromode/dense/skew_tridiagonal.h"
 
@@ -14,8 +15,6 @@
 
 namespace gyromode::dense {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 using support::gaussian;
 

@@ -1,7 +1,7 @@
 // The n × n real form of any system by a unitary matrix: its eigenvalues are ω², its transformation is unitary and symplectic, and motions obey it.
 #include "support/random_matrices.h"
 #include "gyromode/dense/unitary_form.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 
 #include <gtest/gtest.h>
 

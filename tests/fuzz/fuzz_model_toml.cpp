@@ -1,5 +1,6 @@
-// libFuzzer: whatever the bytes, parse_model() returns a model that keeps its promises or throws InputError or BrokenPromise, with one
+// libFuzzer: whatever the bytes, parse_model() returns a model that keeps its promises or throws Unreadable or LawBroken, with one
 // line of message. No file is read: matrix files are sought in a folder that does not exist.
+#include "gyromode/base/error.h"
 #include "gyromode/io/model.h"
 
 #include <cctype>
@@ -10,11 +11,11 @@
 
 namespace {
 
-using gyromode::BrokenPromise;
+using LawBroken;
 using gyromode::FirstOrderSystem;
 using gyromode::Matrix;
 using gyromode::System;
-using gyromode::io::InputError;
+using Unreadable;
 using gyromode::io::Model;
 
 constexpr const char* name = "/gyromode-fuzz-folder-that-does-not-exist/fuzz.toml";
@@ -67,9 +68,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::visit([](const auto& system) { require_promises(system); }, model.system);
     require(model.size() > 0 && static_cast<gyromode::Index>(model.labels().size()) == model.size());
     require(model.kind == kind_of(model) && model.sha256.size() == 64);
-  } catch (const InputError& error) {
+  } catch (const Unreadable& error) {
     require_one_line(error.what());
-  } catch (const BrokenPromise&) {
+  } catch (const LawBroken&) {
   }
   return 0;
 }

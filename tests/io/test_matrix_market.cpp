@@ -1,3 +1,4 @@
+#include "gyromode/base/error.h"
 #include "gyromode/io/matrix_market.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,6 @@
 #include <limits>
 #include <ostream>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,7 +39,7 @@ Matrix parse(std::string_view text) { return parse_matrix_market(text, "K.mtx");
 std::string parse_error(std::string_view text) {
   try {
     parse(text);
-  } catch (const InputError& error) {
+  } catch (const Unreadable& error) {
     return error.what();
   }
   return "(accepted)";
@@ -48,7 +48,7 @@ std::string parse_error(std::string_view text) {
 std::string read_error(const fs::path& file) {
   try {
     read_matrix_market(file);
-  } catch (const InputError& error) {
+  } catch (const Unreadable& error) {
     return error.what();
   }
   return "(accepted)";
@@ -57,7 +57,7 @@ std::string read_error(const fs::path& file) {
 std::string format_error(const Matrix& a, Symmetry symmetry, std::string_view comment = {}) {
   try {
     format_matrix_market(a, symmetry, comment);
-  } catch (const std::invalid_argument& error) {
+  } catch (const InvalidArgument& error) {
     return error.what();
   }
   return "(accepted)";
@@ -327,7 +327,7 @@ TEST(MatrixMarketMemory, OrderThatServesTheCaller) {
   const auto refusal = [](const std::string& text, Index most) -> std::string {
     try {
       parse_matrix_market(text, "K.mtx", most);
-    } catch (const InputError& e) {
+    } catch (const Unreadable& e) {
       return e.what();
     }
     return "(accepted)";
@@ -363,13 +363,13 @@ TEST(MatrixMarketWrites, FileAndBack) {
 TEST(MatrixMarketWrites, RefusalLeavesTheFileAsItWas) {
   const fs::path file = fs::path(testing::TempDir()) / "gyromode_matrix_market_kept.mtx";
   write_matrix_market(file, Matrix::Identity(2, 2), Symmetry::symmetric);
-  EXPECT_THROW(write_matrix_market(file, Matrix::Constant(2, 2, NAN), Symmetry::symmetric), std::invalid_argument);
+  EXPECT_THROW(write_matrix_market(file, Matrix::Constant(2, 2, NAN), Symmetry::symmetric), InvalidArgument);
   EXPECT_EQ(read_matrix_market(file), Matrix::Identity(2, 2));
   fs::remove(file);
 }
 
 TEST(MatrixMarketWrites, NowhereIsAnInputError) {
-  EXPECT_THROW(write_matrix_market("/nowhere/K.mtx", Matrix::Identity(2, 2), Symmetry::symmetric), InputError);
+  EXPECT_THROW(write_matrix_market("/nowhere/K.mtx", Matrix::Identity(2, 2), Symmetry::symmetric), Unreadable);
 }
 
 TEST(MatrixMarketWrites, OnlyWhatTheFileCanHold) {

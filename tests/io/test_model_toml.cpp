@@ -1,5 +1,6 @@
+#include "gyromode/base/error.h"
 #include "gyromode/io/model.h"
-#include "gyromode/io/unit.h"
+#include "gyromode/base/quantity.h"
 
 #include <gtest/gtest.h>
 
@@ -38,11 +39,11 @@ class ModelToml : public ::testing::Test {
 
   Model read(std::string_view text) const { return read_model(write("model.toml", text)); }
 
-  // The message of an InputError, names without the folder.
+  // The message of an Unreadable, names without the folder.
   std::string error(std::string_view text) const {
     try {
       read(text);
-    } catch (const InputError& e) {
+    } catch (const Unreadable& e) {
       return without_folder(e.what());
     }
     return "(accepted)";
@@ -51,7 +52,7 @@ class ModelToml : public ::testing::Test {
   std::string broken(std::string_view text) const {
     try {
       read(text);
-    } catch (const BrokenPromise& e) {
+    } catch (const LawBroken& e) {
       return e.what();
     }
     return "(accepted)";
@@ -320,7 +321,7 @@ TEST_F(ModelToml, ModelFilesThatCannotBeRead) {
   const auto of = [&](const fs::path& file) -> std::string {
     try {
       read_model(file);
-    } catch (const InputError& e) {
+    } catch (const Unreadable& e) {
       return without_folder(e.what());
     }
     return "(accepted)";

@@ -1,4 +1,5 @@
 // Models of kind "spacecraft": values and units as read, and one message for each thing that can be wrong, with its place.
+#include "gyromode/base/error.h"
 #include "gyromode/io/model.h"
 #include "gyromode/io/toml_table.h"
 
@@ -26,8 +27,8 @@ std::string message(const std::string& text) {
   }
   return "accepted";
 }
-std::string unreadable(const std::string& text) { return message<InputError>(text); }
-std::string unlawful(const std::string& text) { return message<BrokenPromise>(text); }
+std::string unreadable(const std::string& text) { return message<Unreadable>(text); }
+std::string unlawful(const std::string& text) { return message<LawBroken>(text); }
 
 TEST(SpacecraftToml, ValuesAndUnits) {
   const Spacecraft s = read(head + pair_of_cables +

@@ -1,6 +1,6 @@
 #include "gyromode/io/nearest.h"
-#include "gyromode/io/number.h"
-#include "gyromode/io/unit.h"
+#include "gyromode/base/number.h"
+#include "gyromode/base/quantity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // The stages of the symmetric eigenvalue problem and of the left singular vectors, against LAPACK's drivers and closed forms.
 #include "support/random_matrices.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/lapack/divide_conquer.h"
 #include "gyromode/lapack/rank_one_join.h"
 #include "gyromode/lapack/reflectors.h"
@@ -21,8 +22,6 @@
 
 namespace gyromode::lapack {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 double unit(Index n) { return 20 * static_cast<double>(n + 1) * epsilon; }
 

@@ -1,6 +1,8 @@
 // The wrappers of BLAS and LAPACK against slow twins in Eigen and against matrices made from known factors. Operands are views of blocks
 // in frames of NaN: whatever a wrapper reads beside its operand turns the result into NaN, whatever it writes there shows in the frame.
 
+#include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/lapack/general.h"
 #include "gyromode/lapack/indefinite.h"
 #include "gyromode/lapack/multiply.h"
@@ -26,7 +28,6 @@ namespace gyromode::lapack {
 namespace {
 
 using Random = std::mt19937_64;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::initializer_list<Index> orders = {0, 1, 2, 3, 7, 40, 130};
 
@@ -404,12 +405,12 @@ TEST(Status, DimensionsBeyond32Bits) {
 
 TEST(Status, FailuresSayWhatLapackSays) {
   EXPECT_NO_THROW(require_success(0, "dsyevd", "unused"));
-  EXPECT_EQ(refusal<Failure>([] { require_success(-5, "dsyevd", "unused"); }), "dsyevd: argument 5 was refused (not finite, or out of range)");
-  EXPECT_EQ(refusal<Failure>([] { require_success(7, "dgeev", "no convergence"); }), "dgeev: no convergence (info = 7)");
+  EXPECT_EQ(refusal<NotConverged>([] { require_success(-5, "dsyevd", "unused"); }), "dsyevd: argument 5 was refused (not finite, or out of range)");
+  EXPECT_EQ(refusal<NotConverged>([] { require_success(7, "dgeev", "no convergence"); }), "dgeev: no convergence (info = 7)");
   EXPECT_THROW(require_success(-1010, "dsyevd", ""), std::bad_alloc);
   EXPECT_THROW(require_success(-1011, "dsyevd", ""), std::bad_alloc);
-  EXPECT_EQ(refusal<Failure>([] { symmetric_eigen(Matrix::Constant(2, 2, nan)); }), "dstedc: argument 4 was refused (not finite, or out of range)");
-  EXPECT_EQ(refusal<Failure>([] { symmetric_definite_eigen(Matrix::Identity(2, 2), Matrix{{1, 2}, {2, 1}}); }),
+  EXPECT_EQ(refusal<NotConverged>([] { symmetric_eigen(Matrix::Constant(2, 2, nan)); }), "dstedc: argument 4 was refused (not finite, or out of range)");
+  EXPECT_EQ(refusal<NotConverged>([] { symmetric_definite_eigen(Matrix::Identity(2, 2), Matrix{{1, 2}, {2, 1}}); }),
             "dsygvd: the right-hand matrix is not positive definite (info = 4)");
 }
 

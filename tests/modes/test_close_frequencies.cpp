@@ -1,5 +1,6 @@
 // Families of systems with pairs of frequencies from 1e-2 down to 1e-14 apart, in every class: two systems of one kind, the second 1 + δ times as fast, in coordinates that mix
 // them. None may be lost, none invented, and what is determined, the span of a pair, must be right where its vectors cannot be.
+#include "gyromode/base/rounding.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/spacecraft.h"
 #include "support/random_matrices.h"
@@ -18,7 +19,6 @@ using support::Source;
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 const std::vector<double> gaps{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13, 1e-14};
 
 enum class Kind { quadrature, hidden, general, stabilised, opposite };

@@ -1,4 +1,5 @@
 // A system seen from some of its coordinates: the condensed impedance has the same count, and modes that leave the kept coordinates at rest are named, however they coincide with others.
+#include "gyromode/dense/inertia.h"
 #include "gyromode/modes/keep.h"
 
 #include "support/random_matrices.h"

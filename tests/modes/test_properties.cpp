@@ -4,6 +4,7 @@
 #include "support/random_matrices.h"
 #include "support/random_system.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/modes.h"
 
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -23,7 +23,6 @@
 namespace gyromode {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr std::uint64_t systems = 300;
 
 void for_each_system(const std::function<void(const support::RandomSystem&, std::mt19937_64&)>& check) {

@@ -1,6 +1,8 @@
 // The conventions of a ModesResult: shapes, windows, what "lowest" means, the counts, and the refusals.
 #include "support/random_system.h"
 
+#include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/modes.h"
 
@@ -9,13 +11,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 namespace gyromode {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Uncoupled oscillators: ω_i² = k_i exactly.
 System oscillators(const Vector& k) { return System(Matrix::Identity(k.size(), k.size()), Matrix::Zero(k.size(), k.size()), k.asDiagonal()); }
@@ -152,16 +151,16 @@ TEST(Windows, AnEndpointOnAModeIsMovedOutward) {
 TEST(Windows, MustBeWindows) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Window w : {Window{-1, 2}, {2, 2}, {3, 2}, {infinity, infinity}, {nan, 2}, {0, nan}, {-0.5, infinity}}) {
-    EXPECT_THROW(require_window(w), std::invalid_argument) << w.a << ", " << w.b;
-    EXPECT_THROW(in_window(ladder(), w.a, w.b), std::invalid_argument);
-    EXPECT_THROW(count_modes(ladder(), w), std::invalid_argument);
+    EXPECT_THROW(require_window(w), InvalidArgument) << w.a << ", " << w.b;
+    EXPECT_THROW(in_window(ladder(), w.a, w.b), InvalidArgument);
+    EXPECT_THROW(count_modes(ladder(), w), InvalidArgument);
   }
   EXPECT_NO_THROW(require_window({0, infinity}));
   EXPECT_NO_THROW(require_window({0, 1e-300}));
   try {
     require_window({3, 2});
     FAIL();
-  } catch (const std::invalid_argument& e) {
+  } catch (const InvalidArgument& e) {
     EXPECT_STREQ(e.what(), "a window [a, b) needs 0 ≤ a < b: [3, 2) is none");
   }
 }
@@ -202,7 +201,7 @@ TEST(Lowest, StaysInTheWindow) {
 }
 
 // "Only so many": none asked for, one returned.
-TEST(Lowest, NoneIsRefused) { EXPECT_THROW(lowest(ladder(), 0), std::invalid_argument); }
+TEST(Lowest, NoneIsRefused) { EXPECT_THROW(lowest(ladder(), 0), InvalidArgument); }
 
 // ---- counts, kinds, signs -------------------------------------------------------------------------------------------------------
 
@@ -301,7 +300,7 @@ std::string refusal(const System& s, dense::Method method) {
   options.method = method;
   try {
     find_modes(s, options);
-  } catch (const dense::MethodDoesNotApply& e) {
+  } catch (const NotApplicable& e) {
     return e.what();
   }
   return "";
@@ -322,7 +321,7 @@ TEST(Methods, AreRefusedWhereTheyDoNotApply) {
   options.method = dense::Method::first_order;
   Matrix g = Matrix::Zero(2, 2);
   g << 0, 1, -1, 0;
-  EXPECT_THROW(find_modes(FirstOrderSystem(Matrix::Identity(2, 2), g), options), dense::MethodDoesNotApply);
+  EXPECT_THROW(find_modes(FirstOrderSystem(Matrix::Identity(2, 2), g), options), NotApplicable);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "gyromode/base/error.h"
 #include "gyromode/motion/frequency_response.h"
 #include "gyromode/modes/modes.h"
 #include "support/random_matrices.h"
@@ -94,7 +95,7 @@ TEST(FrequencyResponse, RestWhereNothingHolds) {
 
 TEST(FrequencyResponse, WrongInput) {
   const System system(Matrix::Identity(2, 2), Matrix::Zero(2, 2), Matrix{{4, 0}, {0, 9}});
-  EXPECT_THROW(frequency_response(system, Vector::Zero(3), Eigen::Vector2d(1, 2)), std::invalid_argument);
-  EXPECT_THROW(frequency_response(system, Vector::Zero(2), Eigen::Vector2d(2, 1)), std::invalid_argument);
-  EXPECT_THROW(frequency_response(system, Vector::Zero(2), Eigen::Vector2d(-1, 1)), std::invalid_argument);
+  EXPECT_THROW(frequency_response(system, Vector::Zero(3), Eigen::Vector2d(1, 2)), InvalidArgument);
+  EXPECT_THROW(frequency_response(system, Vector::Zero(2), Eigen::Vector2d(2, 1)), InvalidArgument);
+  EXPECT_THROW(frequency_response(system, Vector::Zero(2), Eigen::Vector2d(-1, 1)), InvalidArgument);
 }

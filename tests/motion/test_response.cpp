@@ -1,3 +1,5 @@
+#include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/motion/response.h"
 #include "reference/matrix_exponential.h"
 #include "support/random_matrices.h"
@@ -14,8 +16,6 @@ using reference::exact_state;
 using support::Source;
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 State random_state(Source& s, Index n) { return {s.gaussian(n, 1), s.gaussian(n, 1)}; }
 
@@ -339,7 +339,7 @@ TEST(Response, PhaseErrorIsKnown) {
 TEST(Response, WrongInput) {
   Source s{std::mt19937_64(9)};
   const System system = stable_system(s, 4, false);
-  EXPECT_THROW(Response(system, {Vector::Zero(3), Vector::Zero(4)}), std::invalid_argument);
-  EXPECT_THROW(Response(system, {Vector::Constant(4, NAN), Vector::Zero(4)}), std::invalid_argument);
-  EXPECT_THROW(Response(system, {Vector::Zero(4), Vector::Zero(4)}, {{Force::Course::step, Vector::Zero(2), 0}}), std::invalid_argument);
+  EXPECT_THROW(Response(system, {Vector::Zero(3), Vector::Zero(4)}), InvalidArgument);
+  EXPECT_THROW(Response(system, {Vector::Constant(4, NAN), Vector::Zero(4)}), InvalidArgument);
+  EXPECT_THROW(Response(system, {Vector::Zero(4), Vector::Zero(4)}, {{Force::Course::step, Vector::Zero(2), 0}}), InvalidArgument);
 }

@@ -1,5 +1,7 @@
 #include "high_precision.h"
 
+#include "gyromode/base/error.h"
+
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <Eigen/Dense>
@@ -34,7 +36,7 @@ const Real cluster_threshold("1e-18");
 // ---- promises ----------------------------------------------------------------------------------------------------------------
 
 void require(bool promise, const char* message) {
-  if (!promise) throw std::invalid_argument(std::string("gyromode::reference: ") + message);
+  if (!promise) throw InvalidArgument(std::string("gyromode::reference: ") + message);
 }
 
 void check(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, const Eigen::MatrixXd& K) {

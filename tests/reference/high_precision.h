@@ -48,7 +48,7 @@ struct Spectrum {
   double distance = 1;
 };
 
-/// All roots. Throws std::invalid_argument unless M, G, K are square, of one size, finite, and exactly M = Mᵀ > 0, G = −Gᵀ,
+/// All roots. Throws InvalidArgument unless M, G, K are square, of one size, finite, and exactly M = Mᵀ > 0, G = −Gᵀ,
 /// K = Kᵀ; std::logic_error if the roots found contradict the inertia counts of H (a fault of the twin).
 Spectrum spectrum(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, const Eigen::MatrixXd& K);
 

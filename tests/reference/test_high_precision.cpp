@@ -12,7 +12,6 @@
 #include <numeric>
 #include <ostream>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

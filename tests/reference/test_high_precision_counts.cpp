@@ -2,6 +2,8 @@
 
 #include "spectrum_checks.h"
 
+#include "gyromode/base/error.h"
+
 #include <Eigen/Dense>
 
 #include <gtest/gtest.h>
@@ -9,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 #include <string>
 
 namespace gyromode::reference {
@@ -151,7 +152,7 @@ void expect_refusal(const MatrixXd& M, const MatrixXd& G, const MatrixXd& K, con
   try {
     spectrum(M, G, K);
     FAIL() << "accepted, though: " << reason;
-  } catch (const std::invalid_argument& refusal) {
+  } catch (const InvalidArgument& refusal) {
     EXPECT_NE(std::string(refusal.what()).find(reason), std::string::npos) << refusal.what();
   }
 }

@@ -1,4 +1,5 @@
 // What a spacecraft promises, each promise broken once.
+#include "gyromode/base/error.h"
 #include "gyromode/spacecraft/spacecraft.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ template <class Make>
 std::string refusal(Make&& make) {
   try {
     make();
-  } catch (const BrokenPromise& e) {
+  } catch (const LawBroken& e) {
     return e.what();
   }
   return "accepted";

@@ -1,6 +1,8 @@
 // Divergence and negative energy as slow as one likes: on either side of the value at which the static stiffness is singular a verdict is found, and the right one.
 #include "support/random_spacecraft.h"
 
+#include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/impedance/static_count.h"
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/spacecraft/spacecraft_impedance.h"
@@ -8,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -16,8 +17,6 @@ namespace gyromode {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
 ModesResult solved(const Spacecraft& s) {
   ModesOptions options;
   options.lowest = 1;
@@ -104,7 +103,7 @@ TEST(SlowMotions, OfRandomSatellitesBesideTheirCriticalValues) {
       b.inertia(2, 2) = j3;
       try {
         return Spacecraft(s.spin(), b, s.cables(), s.beams(), s.masses());
-      } catch (const BrokenPromise&) {
+      } catch (const LawBroken&) {
         return std::nullopt;  // no such body
       }
     };

@@ -1,3 +1,5 @@
+#include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/structure/realify.h"
 #include "support/random_matrices.h"
@@ -11,8 +13,6 @@
 using namespace gyromode;
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 ComplexMatrix hermitian(support::Source& s, Index n) {
   ComplexMatrix h(n, n);
@@ -125,7 +125,7 @@ TEST(Realify, AngleWhereItIsNotDefined) {
   EXPECT_NEAR(*realify_by_angle(h).angle, std::numbers::pi / 4, 1e-15);
   h << 1, Complex(-0.0, 2), Complex(-0.0, -2), 3;  // c = 0: no turn, whatever the sign of zero
   EXPECT_NEAR(*realify_by_angle(h).angle, 0, 1e-15);
-  EXPECT_THROW(realify_by_angle(ComplexMatrix::Identity(3, 3)), std::invalid_argument);
+  EXPECT_THROW(realify_by_angle(ComplexMatrix::Identity(3, 3)), InvalidArgument);
 }
 
 // The branch is followed through a = d, where arctan jumps by 90°, and around a full turn.

@@ -1,8 +1,9 @@
+#include "gyromode/base/error.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/structure/reversing_symmetry.h"
 #include "gyromode/structure/symmetry_words.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 #include "support/random_matrices.h"
 #include "support/scrambled.h"
 
@@ -214,7 +215,7 @@ TEST(ReversingSymmetry, MethodRefusedWithTheMiss) {
   try {
     find_modes(general, by(dense::Method::hidden));
     FAIL();
-  } catch (const dense::MethodDoesNotApply& e) {
+  } catch (const NotApplicable& e) {
     EXPECT_NE(std::string(e.what()).find("the nearest reflection breaks the commutation rules by 0."), std::string::npos) << e.what();
   }
 }

@@ -1,6 +1,8 @@
 // Partition and components against brute force over all 2ⁿ colourings, witnesses walked step by step; definiteness against congruences of
 // integer matrices, whose inertia is known and whose singularity is exact.
 
+#include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/structure/ignored_couplings.h"
 #include "gyromode/structure/structure.h"
 
@@ -23,7 +25,6 @@ namespace {
 using Random = std::mt19937_64;
 using Places = std::vector<Index>;
 using enum CouplingKind;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double unit_scales[] = {1e-9, 1, 1e9};
 
 struct Link {
@@ -229,9 +230,9 @@ TEST(Coupling, ToleranceIsAFraction) {
   const System s = linked(2, {{0, 1, 'K'}});
   const FirstOrderSystem f(s.mass(), s.gyroscopic());
   for (const double none : {-1e-300, 1.1, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_THROW(without_ignored_couplings(s, none), std::invalid_argument) << none;
-    EXPECT_THROW(without_ignored_couplings(f, none), std::invalid_argument) << none;
-    EXPECT_THROW(ignored_couplings(s, none), std::invalid_argument) << none;
+    EXPECT_THROW(without_ignored_couplings(s, none), InvalidArgument) << none;
+    EXPECT_THROW(without_ignored_couplings(f, none), InvalidArgument) << none;
+    EXPECT_THROW(ignored_couplings(s, none), InvalidArgument) << none;
   }
 }
 
@@ -241,7 +242,7 @@ TEST(Coupling, MassWithoutThemMustBePositive) {
   try {
     without_ignored_couplings(System(weak, Matrix::Zero(3, 3), Matrix::Identity(3, 3)), 0.4);
     ADD_FAILURE() << "M without its smallest coupling is indefinite";
-  } catch (const BrokenPromise& e) {
+  } catch (const LawBroken& e) {
     EXPECT_NE(std::string(e.what()).find("couplings up to 0.4"), std::string::npos) << e.what();
   }
 }

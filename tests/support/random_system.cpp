@@ -1,6 +1,6 @@
 #include "random_system.h"
 
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 
 #include <Eigen/QR>
 

@@ -1,3 +1,4 @@
+#include "gyromode/base/error.h"
 #include "gyromode/io/varied_model.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/spacecraft.h"
@@ -136,7 +137,7 @@ TEST(VariedModel, Keys) {
   const auto message = [&](const std::string& key) {
     try {
       m.require_key(key);
-    } catch (const std::invalid_argument& e) {
+    } catch (const InvalidArgument& e) {
       return std::string(e.what());
     }
     return std::string("no error");
@@ -148,7 +149,7 @@ TEST(VariedModel, Keys) {
   EXPECT_NE(message("cable[-1].length"), "no error");
   EXPECT_NE(message(""), "no error");
   EXPECT_NE(message("body..mass"), "no error");
-  EXPECT_THROW(m.at({"body.inertia[2]"}, {500}), BrokenPromise);  // the triangle inequality
+  EXPECT_THROW(m.at({"body.inertia[2]"}, {500}), LawBroken);  // the triangle inequality
 }
 
 TEST(StabilityMargin, PairAndStiffness) {

@@ -1,10 +1,12 @@
 #include "gyromode/appendage/bernoulli.h"
 
+#include "gyromode/base/rounding.h"
+#include "gyromode/lapack/small.h"
+
 #include <Eigen/LU>
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace gyromode {
@@ -23,7 +25,7 @@ std::array<T, 8> krylov(const T& kappa, double x) {
       sum += part;
       const double n = 4 * m + i;
       part *= kappa * (x * x * x * x / (n * (n - 1) * (n - 2) * (n - 3)));
-      if (std::abs(part) <= 0.1 * std::numeric_limits<double>::epsilon() * std::abs(sum)) break;
+      if (std::abs(part) <= 0.1 * epsilon * std::abs(sum)) break;
     }
     k[static_cast<std::size_t>(i)] = sum;
     power *= x / (i + 1);
@@ -100,7 +102,7 @@ Vector cantilever_shape(double kappa, double length, double tip_length, double f
   const Eigen::Matrix4d root = basis(0), tip = basis(length);
   Eigen::Matrix4d conditions;
   conditions << root.row(0), root.row(1), tip.row(2), tip.row(3) + e * kappa * tip.row(0);
-  const Eigen::Vector4d c = conditions.fullPivLu().solve(Eigen::Vector4d(first / kappa, second / kappa, 0, 0));  // −load/κ carries its own load at the tip
+  const Eigen::Vector4d c = small::solve_fully_pivoted(Matrix(conditions), Vector{{first / kappa, second / kappa, 0, 0}});  // −load/κ carries its own load at the tip
   Vector shape(static_cast<Index>(stations.size()));
   for (Index i = 0; i < shape.size(); ++i) {
     const double s = stations[static_cast<std::size_t>(i)];

@@ -1,9 +1,9 @@
 #include "gyromode/appendage/cable.h"
 
 #include "gyromode/appendage/row_kinds.h"
+#include "gyromode/base/rounding.h"
 
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
 
@@ -18,7 +18,7 @@ double Cable::second_moment() const {
 Eigen::Vector3d Cable::direction() const {
   Eigen::Vector3d e(std::cos(azimuth), std::sin(azimuth), 0);
   for (double& x : e) {
-    if (std::abs(x) <= 4 * std::numeric_limits<double>::epsilon()) x = 0;
+    if (std::abs(x) <= 4 * epsilon) x = 0;
   }
   return e;
 }

@@ -1,7 +1,6 @@
 #include "gyromode/appendage/hub_impedance.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include "gyromode/lapack/small.h"
 
 #include <numeric>
 
@@ -40,7 +39,7 @@ HubMatrix condensed(const Lifted& lifted) {
   if (own == 0) return h;
   const ComplexMatrix border = lifted.matrix.bottomLeftCorner(own, body_coordinates);
   const ComplexMatrix kept = lifted.matrix.bottomRightCorner(own, own);
-  h -= border.adjoint() * kept.fullPivLu().solve(border);
+  h -= border.adjoint() * small::solve_fully_pivoted(kept, border);
   return 0.5 * (h + h.adjoint());
 }
 
@@ -74,7 +73,7 @@ Index fixed_root_negative(const Appendage& appendage, double omega) {
   Index count = std::accumulate(l.held.begin(), l.held.end(), Index{0});
   if (own > 0) {
     const ComplexMatrix kept = l.matrix.bottomRightCorner(own, own);
-    count += (Eigen::SelfAdjointEigenSolver<ComplexMatrix>(kept, Eigen::EigenvaluesOnly).eigenvalues().array() < 0).count();
+    count += (small::hermitian_eigenvalues(kept).array() < 0).count();
   }
   return count;
 }

@@ -1,8 +1,8 @@
 #include "gyromode/appendage/patterns.h"
 
-#include <Eigen/QR>
+#include "gyromode/base/rounding.h"
+#include "gyromode/lapack/small.h"
 
-#include <limits>
 #include <vector>
 
 namespace gyromode {
@@ -10,7 +10,7 @@ namespace gyromode {
 namespace {
 
 // Entries of sums of n products up to this fraction of their terms are rounding of the azimuths.
-constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr double rounding = 64 * epsilon;
 
 // Sets of features that are coupled, by their Gram matrix.
 std::vector<std::vector<Index>> coupled_sets(const Matrix& gram) {
@@ -52,10 +52,7 @@ Patterns patterns(const Matrix& features) {
   for (const auto& set : coupled_sets(p.gram)) {
     Matrix part = features(Eigen::all, set);
     part = part * size(set).cwiseInverse().asDiagonal();
-    Eigen::ColPivHouseholderQR<Matrix> qr(part);
-    qr.setThreshold(rounding);
-    const Index rank = qr.rank();
-    const Matrix q = qr.householderQ() * Matrix::Identity(n, rank);
+    const auto [rank, q] = small::ranked_qr(part, rounding);
     found.conservativeResize(n, found.cols() + rank);
     found.rightCols(rank) = q;
   }
@@ -63,7 +60,7 @@ Patterns patterns(const Matrix& features) {
   p.vectors.resize(n, n);
   p.vectors.leftCols(p.coupled) = found;
   if (p.coupled < n) {
-    const Matrix all = p.coupled > 0 ? Matrix(Eigen::HouseholderQR<Matrix>(found).householderQ()) : Matrix(Matrix::Identity(n, n));
+    const Matrix all = p.coupled > 0 ? small::orthogonal_factor(found) : Matrix(Matrix::Identity(n, n));
     p.vectors.rightCols(n - p.coupled) = all.rightCols(n - p.coupled);
   }
   p.response = found.transpose() * features;

@@ -1,14 +1,14 @@
 #include "gyromode/appendage/wire_field.h"
 
+#include "gyromode/base/rounding.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int lanes = 2;
 constexpr int most_terms = 400;
 

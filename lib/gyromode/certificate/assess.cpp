@@ -1,21 +1,18 @@
 #include "gyromode/certificate/assess.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/certificate/assess_unstable.h"
 #include "gyromode/certificate/parseval.h"
 #include "gyromode/certificate/products.h"
-
-#include <Eigen/SVD>
+#include "gyromode/lapack/small.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace gyromode {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // r = H(ω)X, real and imaginary parts of the rows that each has.
 struct ResidualVector {
@@ -71,8 +68,6 @@ Complex form_between(const Impedance& h, const dense::Spectrum& s, const Product
   return h.quadrature() ? Complex(real, 0) : Complex(real, s.re.col(i).dot(im) - s.im.col(i).dot(re));
 }
 
-double smallest_singular_value(const ComplexMatrix& a) { return Eigen::JacobiSVD<ComplexMatrix>(a).singularValues().minCoeff(); }
-
 // Runs of roots, in order of frequency, whose intervals overlap. own_scale and own_error are those of unit shapes.
 void bound_clusters(const Impedance& h, const dense::Spectrum& s, const Products& p, const Vector& own_scale, const Vector& own_error, Assessment& a) {
   constexpr std::size_t most = 64;  // a larger run is no cluster but a spectrum that rounding cannot resolve: the single bounds stand
@@ -95,7 +90,7 @@ void bound_clusters(const Impedance& h, const dense::Spectrum& s, const Products
         gram(static_cast<Index>(i), static_cast<Index>(k)) = form_between(h, s, p, at, other, s.omega(at)) / std::sqrt(own_scale(at) * own_scale(other));
       }
     }
-    const double bound = std::sqrt(error2) / smallest_singular_value(gram);
+    const double bound = std::sqrt(error2) / small::singular_values(gram).minCoeff();
     for (std::size_t i = first; i <= last; ++i) {
       a.error_bound(order[i]) = std::max(single(order[i]), bound);
       a.cluster[static_cast<std::size_t>(order[i])] = static_cast<Index>(count);
@@ -129,8 +124,6 @@ Assessment measured(const Impedance& h, dense::Spectrum& s, const Products& p) {
 }
 
 }  // namespace
-
-double backward_error(Index n) { return 4 * static_cast<double>(std::max<Index>(n, 2)) * epsilon; }
 
 Assessment assess(const Impedance& h, dense::Spectrum& s) {
   const Products p = products(h, s);

@@ -6,9 +6,6 @@
 
 namespace gyromode {
 
-/// 4 n ε (n at least 2): a backward error of this size, relative to each coefficient in its own scale (Impedance::weight), is within what reading and solving the model may have done.
-double backward_error(Index n);
-
 /// What is measured of every root of a Spectrum on the matrices as they were given (changed to the natural units of the component, which adds no rounding).
 ///
 /// With r = H(ω)X the pair (ω, X) is exact for a Hermitian change of H whose entries, scaled as the optimal diagonal scaling would, move a simple root by |X|ᵀ|r|/|form| to first order, whatever the units of the

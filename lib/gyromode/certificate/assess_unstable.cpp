@@ -1,18 +1,12 @@
 #include "gyromode/certificate/assess_unstable.h"
 
-#include <Eigen/SVD>
+#include "gyromode/base/rounding.h"
+#include "gyromode/lapack/small.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
-
-namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-}  // namespace
 
 void correct_unstable(dense::UnstableRoots& roots, const dense::CharacteristicProducts& p) {
   constexpr int steps = 2;
@@ -82,7 +76,7 @@ double span_bound(const Impedance& h, const dense::UnstableRoots& roots, const s
     error2 += std::pow(a.error_bound(i) / a.sensitivity(i), 2);
     for (Index k = 0; k < c; ++k) gram(k, i) = part.left.col(k).dot(p.g.col(i) + 2.0 * lambda * p.m.col(i)) / std::sqrt(own_x(i) * own_y(k));
   }
-  return std::sqrt(error2) / Eigen::JacobiSVD<ComplexMatrix>(gram).singularValues().minCoeff();
+  return std::sqrt(error2) / small::singular_values(gram).minCoeff();
 }
 
 }  // namespace gyromode

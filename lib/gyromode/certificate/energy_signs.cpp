@@ -1,6 +1,7 @@
 #include "gyromode/certificate/energy_signs.h"
 
-#include <Eigen/Eigenvalues>
+#include "gyromode/base/rounding.h"
+#include "gyromode/lapack/small.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,9 +45,9 @@ std::optional<Index> signature(const Impedance& h, const dense::Spectrum& s, Ind
   ComplexMatrix x(s.size(), count);
   for (Index i = 0; i < count; ++i) x.col(i) = s.shape(first + i).normalized();
   const auto weakest = [](const Vector& v) { return v.cwiseAbs().minCoeff() / v.cwiseAbs().maxCoeff(); };
-  const Vector lengths = Eigen::SelfAdjointEigenSolver<ComplexMatrix>(x.adjoint() * x, Eigen::EigenvaluesOnly).eigenvalues();
+  const Vector lengths = small::hermitian_eigenvalues(x.adjoint() * x);
   const ComplexMatrix form = h.form(x, 0.5 * (s.omega(first) + s.omega(last)));
-  const Vector values = Eigen::SelfAdjointEigenSolver<ComplexMatrix>(form, Eigen::EigenvaluesOnly).eigenvalues();
+  const Vector values = small::hermitian_eigenvalues(form);
   if (!(weakest(lengths) > regular) || !(weakest(values) > regular)) return std::nullopt;
   return (values.array() > 0).count() - (values.array() < 0).count();
 }

@@ -1,5 +1,6 @@
 #include "gyromode/certificate/exhibits.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/certificate/assess_unstable.h"
 #include "gyromode/dense/characteristic_factor.h"
 
@@ -7,15 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 
 namespace gyromode {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // One root of the upper right quarter with its disc; `at` is its position among the modes, or among the unstable roots.
 struct Disc {
@@ -145,7 +143,7 @@ bool independent(const Surroundings& s, const std::vector<Disc>& discs, const st
 bool independent_off_axis(const Impedance& h, const dense::Spectrum& s, const Surroundings& near, const std::vector<Disc>& discs, const std::vector<std::size_t>& group, Assessment& a) {
   constexpr double small_part = 0.1;
   std::vector<Index> at;
-  double nearest_axis = std::numeric_limits<double>::infinity();
+  double nearest_axis = infinity;
   for (const std::size_t i : group) {
     if (discs[i].mode) return false;
     at.push_back(discs[i].at);
@@ -162,7 +160,7 @@ bool independent_off_axis(const Impedance& h, const dense::Spectrum& s, const Su
 }  // namespace
 
 Exhibits exhibited(const Impedance& h, const dense::Spectrum& s, Assessment& a) {
-  const double rounding = 30 * static_cast<double>(std::max<Index>(s.size(), 2)) * std::numeric_limits<double>::epsilon();
+  const double rounding = solver_residual(s.size());
   Exhibits e;
   e.unstable.assign(static_cast<std::size_t>(s.unstable.count()), true);
   const std::vector<Disc> discs = discs_of(s, a);

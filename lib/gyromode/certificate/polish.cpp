@@ -1,5 +1,6 @@
 #include "gyromode/certificate/polish.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/correct_shapes.h"
 #include "gyromode/dense/refine.h"
 

@@ -1,5 +1,6 @@
 #include "gyromode/certificate/undecided_flutter.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/certificate/polish.h"
 #include "gyromode/dense/refine_unstable.h"
 

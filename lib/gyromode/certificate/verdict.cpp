@@ -42,31 +42,6 @@ IndexBalance first_order_balance(const dense::Spectrum& s) {
   return b;
 }
 
-}  // namespace
-
-std::string_view word(Stability s) {
-  switch (s) {
-    case Stability::stable: return "stable";
-    case Stability::gyroscopically_stabilised: return "gyroscopically_stabilised";
-    case Stability::unknown: return "unknown";
-    case Stability::marginal: return "marginal";
-    default: return "unstable";
-  }
-}
-
-IndexBalance& IndexBalance::operator+=(const IndexBalance& other) {
-  negative += other.negative;
-  real_pairs += other.real_pairs;
-  quadruples += other.quadruples;
-  negative_energy += other.negative_energy;
-  zero += other.zero;
-  zero_negative += other.zero_negative;
-  closed = closed && other.closed;
-  return *this;
-}
-
-namespace {
-
 // A verdict is worth what its balance is worth: roots that do not account for everything leave room for another one.
 Stability stability_of(const dense::Spectrum& s, const Verdict& v, bool undecided) {
   if (!v.balance.closed) return Stability::unknown;

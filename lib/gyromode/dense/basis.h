@@ -1,9 +1,8 @@
 #pragma once
 
+#include "gyromode/lapack/small.h"
 #include "gyromode/lapack/triangular.h"
-#include "gyromode/lapack/types.h"
-
-#include <Eigen/QR>
+#include "gyromode/base/types.h"
 
 #include <cmath>
 #include <vector>
@@ -11,15 +10,8 @@
 namespace gyromode::dense {
 
 /// An orthonormal basis of the columns of y (n × c, c ≤ n, full rank), real or complex.
-template <class AnyMatrix>
-AnyMatrix orthonormal_basis(const AnyMatrix& y) {
-  return Eigen::HouseholderQR<AnyMatrix>(y).householderQ() * AnyMatrix::Identity(y.rows(), y.cols());
-}
-
-template <>
-inline Matrix orthonormal_basis<Matrix>(const Matrix& y) {
-  return lapack::orthonormal_columns(y);
-}
+inline Matrix orthonormal_basis(const Matrix& y) { return lapack::orthonormal_columns(y); }
+inline ComplexMatrix orthonormal_basis(const ComplexMatrix& y) { return small::orthonormal_columns(y); }
 
 /// A real orthonormal basis, |group| columns, of the span of the eigenvectors of a real matrix at the positions `group`, which holds the conjugate of every
 /// complex one: of a pair the vector with Im > 0 gives its real part, the other its imaginary part.

@@ -1,10 +1,10 @@
 #include "gyromode/dense/characteristic_factor.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/lapack/complex_lu.h"
 #include "gyromode/system/scale.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace gyromode::dense {
@@ -42,7 +42,7 @@ NullPair iterated(const Equilibrated& f, Index n) {
 NullPair null_pair(const Impedance& h, Complex lambda) {
   NullPair v = iterated(factored(h, lambda), h.size());
   // A matrix that is singular to the last bit has no inverse to iterate with; one rounding error away it has.
-  for (double shift = 2 * std::numeric_limits<double>::epsilon(); shift < 1e-12 && !(v.right.allFinite() && v.left.allFinite()); shift *= 8) {
+  for (double shift = 2 * epsilon; shift < 1e-12 && !(v.right.allFinite() && v.left.allFinite()); shift *= 8) {
     const Vector d = scale_at(h, std::abs(lambda));
     ComplexMatrix n = scaled(h.characteristic_at(lambda), d);
     n.diagonal().array() += shift;

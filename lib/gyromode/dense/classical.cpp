@@ -1,17 +1,18 @@
 #include "gyromode/dense/classical.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/dense/ignorable.h"
 #include "gyromode/dense/indefinite.h"
 #include "gyromode/dense/mass_normal.h"
 #include "gyromode/dense/singular_stiffness.h"
 #include "gyromode/lapack/general.h"
+#include "gyromode/lapack/hermitian.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/symmetric.h"
+#include "gyromode/lapack/triangular.h"
 #include "gyromode/structure/definiteness.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ namespace {
 
 Matrix companion_matrix(const SecondOrder& m) {
   const Index n = m.size();
-  const Eigen::LLT<Matrix> mass(m.mass);
+  const lapack::Cholesky mass(m.mass);
   Matrix a = Matrix::Zero(2 * n, 2 * n);
   a.topLeftCorner(n, n) = -mass.solve(m.gyroscopic);
   a.topRightCorner(n, n) = -mass.solve(m.stiffness);
@@ -45,11 +46,11 @@ std::vector<Index> nonzero_roots(const ComplexVector& lambda, Index zeros) {
 void append_group(const Matrix& y, const Matrix& g_star, Index n, std::vector<double>& omega, std::vector<ComplexVector>& shapes) {
   const Matrix s = lapack::multiply_tn(y, lapack::multiply(g_star, y));
   const ComplexMatrix hermitian = Complex(0, 0.5) * (s - s.transpose()).cast<Complex>();
-  const Eigen::SelfAdjointEigenSolver<ComplexMatrix> e(hermitian);
+  const auto e = lapack::hermitian_eigen(hermitian);
   const Index count = y.cols() / 2;
   for (Index k = y.cols() - count; k < y.cols(); ++k) {
-    omega.push_back(e.eigenvalues()(k));
-    shapes.push_back(y.bottomRows(n) * e.eigenvectors().col(k));
+    omega.push_back(e.values(k));
+    shapes.push_back(y.bottomRows(n) * e.vectors.col(k));
   }
 }
 
@@ -87,7 +88,7 @@ void solve_symmetric_2n(const SecondOrder& m, Spectrum& s) {
   const Definiteness d = definiteness(m.stiffness);
   s.store_stiffness(d);
   if (d.sign() != Sign::positive) {
-    throw MethodDoesNotApply(fmt::format("method 'symmetric-2n' (Meirovitch 1974) needs K positive definite: K has {} negative and {} zero eigenvalues; 'auto' "
+    throw NotApplicable(fmt::format("method 'symmetric-2n' (Meirovitch 1974) needs K positive definite: K has {} negative and {} zero eigenvalues; 'auto' "
                                          "applies",
                                          d.negative, d.zero));
   }
@@ -98,7 +99,7 @@ void solve_symmetric_2n(const SecondOrder& m, Spectrum& s) {
   g_star.topLeftCorner(n, n) = m.gyroscopic;
   g_star.topRightCorner(n, n) = m.stiffness;
   g_star.bottomLeftCorner(n, n) = -m.stiffness;
-  const Matrix k_star = symmetric_part(lapack::multiply_tn(g_star, Eigen::LLT<Matrix>(m_star).solve(g_star)));
+  const Matrix k_star = symmetric_part(lapack::multiply_tn(g_star, lapack::Cholesky(m_star).solve(g_star)));
   const auto e = lapack::symmetric_definite_eigen(k_star, m_star);
 
   std::vector<double> omega;

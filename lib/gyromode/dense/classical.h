@@ -10,7 +10,7 @@ namespace gyromode::dense {
 void solve_companion(const SecondOrder& m, Spectrum& s);
 
 /// Meirovitch 1974 (reference 4): with z = (q̇, q), M* = diag(M, K) and G* = [G K; −K 0], the real symmetric pencil K* = G*ᵀM*⁻¹G* against M* of order 2n has
-/// every ω² twice. Throws MethodDoesNotApply unless K > 0.
+/// every ω² twice. Throws NotApplicable unless K > 0.
 void solve_symmetric_2n(const SecondOrder& m, Spectrum& s);
 
 }  // namespace gyromode::dense

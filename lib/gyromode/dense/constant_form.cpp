@@ -1,5 +1,6 @@
 #include "gyromode/dense/constant_form.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/dense/mass_normal.h"
 #include "gyromode/dense/skew_tridiagonal.h"
 #include "gyromode/dense/spectrum.h"
@@ -42,12 +43,12 @@ Form from_groups(const Matrix& f, const Matrix& b, const Matrix& k2, const Matri
   return form;
 }
 
-struct Groups {
+struct PhaseGroups {
   Matrix k1, k2, b, to_x, to_y;
   Definiteness d1, d2;
 };
 
-Form by_groups(Groups g) {
+Form by_groups(PhaseGroups g) {
   if (g.d1.negative > 0) {  // the groups exchanged: b → −bᵀ
     std::swap(g.k1, g.k2);
     std::swap(g.d1, g.d2);
@@ -55,7 +56,7 @@ Form by_groups(Groups g) {
     g.b = (-g.b.transpose()).eval();
   }
   if (g.d1.negative > 0) {
-    throw MethodDoesNotApply("K is indefinite in both groups of the partition: the real n × n matrix of such a system, P of theory (T6), is not symmetric");
+    throw NotApplicable("K is indefinite in both groups of the partition: the real n × n matrix of such a system, P of theory (T6), is not symmetric");
   }
   Form form = from_groups(square_root(g.k1, g.d1.zero), g.b, g.k2, g.to_x, g.to_y);
   form.path = "W = [fᵀf fᵀb; bᵀf bᵀb + k₂] (T5)";
@@ -70,7 +71,7 @@ Matrix normal_coordinates(const MassNormal& normal) {
 
 Form by_tridiagonal(const Matrix& mass, const Matrix& gyroscopic, const Matrix& stiffness) {
   const Definiteness d = definiteness(stiffness);
-  if (d.negative > 0) throw MethodDoesNotApply("K is indefinite, and so is the stiffness of both groups of a quadrature partition, if there is one: a constant real symmetric matrix of order n with eigenvalues ω² is known for K ≥ 0 only");
+  if (d.negative > 0) throw NotApplicable("K is indefinite, and so is the stiffness of both groups of a quadrature partition, if there is one: a constant real symmetric matrix of order n with eigenvalues ω² is known for K ≥ 0 only");
   const Index n = mass.rows();
   const MassNormal normal(mass);
   const Matrix f = square_root(normal.stiffness(stiffness), d.zero);

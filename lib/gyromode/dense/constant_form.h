@@ -20,7 +20,7 @@ struct ConstantForm {
 };
 
 /// Per component: W of (T5) where there is a quadrature partition, visible or hidden, with a stiffness ≥ 0 in one group; else DᵀD of (T8) where K ≥ 0. Negative eigenvalues of W are divergence; zero
-/// ones zero modes. Throws MethodDoesNotApply where there is no such matrix: K indefinite without a partition, or indefinite in both groups.
+/// ones zero modes. Throws NotApplicable where there is no such matrix: K indefinite without a partition, or indefinite in both groups.
 ConstantForm constant_form(const System& system, const Structure& structure);
 
 }  // namespace gyromode::dense

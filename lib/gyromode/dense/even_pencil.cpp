@@ -1,5 +1,6 @@
 #include "gyromode/dense/even_pencil.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/basis.h"
 #include "gyromode/dense/root_groups.h"
 #include "gyromode/lapack/multiply.h"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace gyromode::dense {
@@ -92,7 +92,7 @@ struct PlainRoots {
   ComplexMatrix w;
 };
 std::optional<PlainRoots> with_double_roots_real(const ComplexVector& lambda, const ComplexMatrix& w) {
-  const double rounding = 16 * static_cast<double>(lambda.size()) * std::numeric_limits<double>::epsilon() * lambda.cwiseAbs().maxCoeff();
+  const double rounding = 16 * static_cast<double>(lambda.size()) * epsilon * lambda.cwiseAbs().maxCoeff();
   std::optional<PlainRoots> changed;
   for (Index i = 0; i + 1 < lambda.size(); ++i) {
     const double im = std::abs(lambda(i).imag());

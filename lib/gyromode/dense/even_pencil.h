@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/lapack/general.h"
-#include "gyromode/lapack/types.h"
+#include "gyromode/base/types.h"
 
 #include <vector>
 

@@ -1,17 +1,16 @@
 #include "gyromode/dense/definite.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/mass_normal.h"
 #include "gyromode/dense/second_order.h"
 #include "gyromode/lapack/singular.h"
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/structure/definiteness.h"
 
-#include <limits>
-
 namespace gyromode::dense {
 
 namespace {
 
-double rank_threshold(Index n, double largest) { return 8 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * largest; }
+double rank_threshold(Index n, double largest) { return zero_to_rounding(n) * largest; }
 
 // X = (L₁⁻ᵀa, −jL₂⁻ᵀc) for the singular vectors a, c of L₁⁻¹BL₂⁻ᵀ; the constant solutions are the null spaces of Bᵀ and B.
 void solve_partitioned(const Impedance& h, Spectrum& s) {

@@ -1,4 +1,5 @@
 #include "gyromode/dense/basis.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/second_order.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/singular.h"
@@ -6,12 +7,11 @@
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/structure/definiteness.h"
 #include "gyromode/structure/ranked_skew.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 #include "gyromode/system/scale.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace gyromode::dense {
@@ -48,7 +48,7 @@ std::optional<Matrix> turned_coupling(const SecondOrder& m, const Matrix& null, 
   Matrix turned = lapack::multiply_tn(one.turn, lapack::multiply(b, two.turn));
   auto corner = turned.bottomRightCorner(one.d.zero, two.d.zero);
   if (corner.size() == 0) return turned;
-  const double many = 8 * static_cast<double>(m.size()) * std::numeric_limits<double>::epsilon();
+  const double many = zero_to_rounding(m.size());
   const Matrix terms = one.basis.rightCols(one.d.zero).cwiseAbs().transpose() * entry_scale(m.gyroscopic) * two.basis.rightCols(two.d.zero).cwiseAbs();
   corner = (corner.array().abs() <= many * terms.array()).select(0, corner).eval();
   const RankedSkew given = ranked_skew_on(m.gyroscopic, null);

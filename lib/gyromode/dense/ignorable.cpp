@@ -1,16 +1,15 @@
 #include "gyromode/dense/ignorable.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/lapack/multiply.h"
+#include "gyromode/lapack/triangular.h"
 #include "gyromode/structure/ranked_factor.h"
 #include "gyromode/structure/ranked_skew.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 #include "gyromode/system/scale.h"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode::dense {
 
@@ -50,7 +49,7 @@ struct Split {
 
 Split split_null(const SingularSystem& s, const Matrix& null) {
   const RankedSkew f = ranked_skew_on(s.gyroscopic, null);
-  Split parts{multiply(null, f.null_space), Matrix(s.size(), static_cast<Index>(f.regular.size())), !(f.smallest_kept > 64 * static_cast<double>(s.size()) * std::numeric_limits<double>::epsilon())};
+  Split parts{multiply(null, f.null_space), Matrix(s.size(), static_cast<Index>(f.regular.size())), !(f.smallest_kept > 64 * static_cast<double>(s.size()) * epsilon)};
   std::vector<Index> regular = f.regular;
   std::stable_partition(regular.begin(), regular.end(), [&](Index k) { return in_first_group(s, null.col(k)); });
   for (std::size_t k = 0; k < regular.size(); ++k) parts.ng.col(static_cast<Index>(k)) = null.col(regular[k]);
@@ -128,7 +127,7 @@ bool dominates(const Matrix& added, const Vector& weight) {
 
 // What is below rounding of its terms is zero.
 void drop_rounding(Matrix& a, const Matrix& terms) {
-  const double zero = 8 * static_cast<double>(terms.rows() + terms.cols()) * std::numeric_limits<double>::epsilon();
+  const double zero = zero_to_rounding(terms.rows() + terms.cols());
   for (Index k = 0; k < a.cols(); ++k) {
     for (Index i = 0; i < a.rows(); ++i) {
       if (std::abs(a(i, k)) <= zero * terms(i, k)) a(i, k) = 0;
@@ -147,7 +146,7 @@ SingularSystem removed(const SingularSystem& s, Matrix n0, Matrix& terms, Deflat
     else if (s.split >= 0 && i < s.split) --split;
   }
   const Matrix m_n0 = multiply(s.mass, n0);
-  const Eigen::LLT<Matrix> m0(symmetric_part(multiply_tn(n0, m_n0)));
+  const lapack::Cholesky m0(symmetric_part(multiply_tn(n0, m_n0)));
   Matrix a = multiply_tn(n0, s.gyroscopic)(Eigen::all, rest);
   drop_rounding(a, Matrix(n0.cwiseAbs().transpose() * entry_scale(s.gyroscopic))(Eigen::all, rest));
   const Matrix k_part = s.stiffness(rest, rest);

@@ -1,11 +1,10 @@
 #include "gyromode/dense/impedance.h"
 
 #include "gyromode/dense/solve.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/structure/ranked_factor.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 #include "gyromode/system/scale.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -178,7 +177,7 @@ std::optional<Impedance> Impedance::with_null_coordinates() const {
 double Impedance::given_residual(const ComplexVector& r, const ComplexVector& x, double omega) const {
   const auto d = units_.coordinate.cast<Complex>();
   if (basis_.size() == 0) return r.cwiseQuotient(d).norm() / (given_scale(omega) * x.cwiseProduct(d).norm());
-  const ComplexVector image = basis_.transpose().partialPivLu().solve(r.real()).cast<Complex>() + Complex(0, 1) * basis_.transpose().partialPivLu().solve(r.imag()).cast<Complex>();
+  const ComplexVector image = small::solve(ComplexMatrix(basis_.transpose().cast<Complex>()), r);
   return image.cwiseQuotient(d).norm() / (given_scale(omega) * (basis_ * x).cwiseProduct(d).norm());
 }
 
@@ -199,7 +198,7 @@ void Impedance::to_given(dense::Spectrum& s) const {
 
 Matrix Impedance::own_shapes(const Matrix& given) const {
   const Matrix shapes = units_.coordinate.cwiseInverse().asDiagonal() * given;
-  return basis_.size() == 0 ? shapes : Matrix(basis_.partialPivLu().solve(shapes));
+  return basis_.size() == 0 ? shapes : Matrix(small::solve(basis_, shapes));
 }
 
 double Impedance::typical_frequency() const { return std::max(std::sqrt(norm_k_ / norm_m_), norm_g_ / norm_m_) / units_.time; }

@@ -1,12 +1,12 @@
 #include "gyromode/dense/inertia.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/lapack/definite.h"
 #include "gyromode/lapack/indefinite.h"
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/system/scale.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace gyromode {
@@ -47,7 +47,7 @@ Inertia by_pivots(const AnyMatrix& equilibrated, double terms) {
 
 // Eigenvalues below −8 n ε of the largest.
 Index below_zero(const Vector& values) {
-  const double threshold = 8 * static_cast<double>(values.size()) * std::numeric_limits<double>::epsilon() * values.cwiseAbs().maxCoeff();
+  const double threshold = zero_to_rounding(values.size()) * values.cwiseAbs().maxCoeff();
   return (values.array() < -threshold).count();
 }
 
@@ -63,11 +63,6 @@ Index clearly_negative(const ComplexMatrix& hermitian) {
   Matrix embedded(2 * n, 2 * n);  // every eigenvalue twice
   embedded << h.real(), -h.imag(), h.imag(), h.real();
   return n == 0 ? 0 : below_zero(lapack::symmetric_eigenvalues(embedded)) / 2;
-}
-
-bool Inertia::doubtful() const {
-  const double n = static_cast<double>(negative + positive);
-  return !(margin > 8 * n * std::numeric_limits<double>::epsilon());
 }
 
 Inertia inertia(const Matrix& symmetric) { return by_pivots(scaled(symmetric, equilibrating_scale(symmetric)), 0); }

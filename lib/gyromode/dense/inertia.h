@@ -1,22 +1,11 @@
 #pragma once
 
-#include "gyromode/lapack/types.h"
+#include "gyromode/base/types.h"
+#include "gyromode/spectrum/inertia.h"
 
 namespace gyromode {
 
-/// Numbers of negative and positive eigenvalues of a Hermitian matrix, by Sylvester's law from a Bunch–Kaufman factorisation.
-struct Inertia {
-  Index negative = 0;
-  Index positive = 0;
-  /// After equilibration, the lesser of smallest over largest |eigenvalue of D| and the reciprocal condition (1-norm); of a sum of terms the largest is not less than 1.
-  double margin = 1;
-
-  /// A backward error of 8 n ε could move an eigenvalue through zero: the matrix is singular to rounding, and the count may be off by the number
-  /// of tiny pivots.
-  bool doubtful() const;
-};
-
-/// The matrix is equilibrated by powers of two first (a congruence), so tiny diagonals and mixed units do no harm. LAPACK's dsytrf and zhetrf: a
+/// Inertia by Bunch–Kaufman. The matrix is equilibrated by powers of two first (a congruence), so tiny diagonals and mixed units do no harm. LAPACK's dsytrf and zhetrf: a
 /// factorisation without 2 × 2 pivots returns wrong counts. From order 64 a matrix that may be definite by its diagonal is first tried by Cholesky.
 Inertia inertia(const Matrix& symmetric);
 Inertia inertia(const ComplexMatrix& hermitian);

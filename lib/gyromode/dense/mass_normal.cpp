@@ -1,5 +1,6 @@
 #include "gyromode/dense/mass_normal.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/lapack/status.h"
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/system/scale.h"
@@ -7,7 +8,7 @@
 namespace gyromode::dense {
 
 MassNormal::MassNormal(const Matrix& m) : scale_(unit_diagonal_scale(m)), l_(scaled(m, scale_)) {
-  if (lapack::cholesky(l_)) throw lapack::Failure("the mass matrix of a group is not numerically positive definite");
+  if (lapack::cholesky(l_)) throw NotConverged("the mass matrix of a group is not numerically positive definite");
 }
 
 Matrix MassNormal::stiffness(const Matrix& k) const { return lapack::congruence(l_, scaled(k, scale_)); }
@@ -29,7 +30,7 @@ Matrix MassNormal::coupling(const Matrix& b, const MassNormal& other) const {
 StiffnessFactor::StiffnessFactor(const Matrix& k) {
   PositiveFactor f{unit_diagonal_scale(k), {}};
   f.l = scaled(k, f.scale);
-  if (lapack::cholesky(f.l)) throw lapack::Failure("the stiffness of a group is not numerically positive definite");
+  if (lapack::cholesky(f.l)) throw NotConverged("the stiffness of a group is not numerically positive definite");
   factor_ = std::make_shared<const PositiveFactor>(std::move(f));
 }
 

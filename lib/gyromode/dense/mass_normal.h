@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/dense/unstable_roots.h"
-#include "gyromode/lapack/types.h"
+#include "gyromode/base/types.h"
 #include "gyromode/structure/definiteness.h"
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace gyromode::dense {
 /// K = F Fᵀ of a positive definite K (n × n), F lower triangular, from a Cholesky factor of the scaled K: small eigenvalues of a graded K keep their digits.
 class StiffnessFactor {
  public:
-  /// Throws lapack::Failure where the factorisation fails.
+  /// Throws NotConverged where the factorisation fails.
   explicit StiffnessFactor(const Matrix& k);
   /// The same with what is known of K, its factor among it where it has one.
   StiffnessFactor(const Matrix& k, const Definiteness& known);
@@ -32,7 +32,7 @@ class StiffnessFactor {
 /// diagonal (so that mixed units cost no digits).
 class MassNormal {
  public:
-  /// m: n × n, positive definite, lower triangle read. Throws lapack::Failure where the factorisation fails all the same.
+  /// m: n × n, positive definite, lower triangle read. Throws NotConverged where the factorisation fails all the same.
   explicit MassNormal(const Matrix& m);
 
   Index size() const { return l_.rows(); }

@@ -1,5 +1,6 @@
 #include "gyromode/dense/own_scale.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/basis.h"
 #include "gyromode/dense/characteristic_factor.h"
 #include "gyromode/dense/pencil.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode::dense {
 
@@ -66,7 +66,7 @@ AnyMatrix null_shapes(const Impedance& h, double omega, Index count) {
   for (int step = 0; step < 3; ++step) {
     AnyMatrix y = lapack::solve(factor, x);
     if (!y.allFinite()) {  // singular to the last bit: one rounding error away it is not
-      matrix.diagonal().array() += 4 * std::numeric_limits<double>::epsilon();
+      matrix.diagonal().array() += 4 * epsilon;
       factor = lapack::factor_indefinite(matrix);
       y = lapack::solve(factor, x);
     }
@@ -75,7 +75,7 @@ AnyMatrix null_shapes(const Impedance& h, double omega, Index count) {
     x = orthonormal_basis(y);
   }
   const AnyMatrix image = matrix * x;
-  const double rounding = 1e3 * static_cast<double>(h.size()) * std::numeric_limits<double>::epsilon();
+  const double rounding = 1e3 * static_cast<double>(h.size()) * epsilon;
   Index best = 0;
   image.colwise().norm().minCoeff(&best);
   for (Index k = 0; k < count; ++k) {

@@ -1,36 +1,31 @@
 #include "gyromode/dense/pencil.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/lapack/general.h"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include "gyromode/lapack/small.h"
 
 #include <cmath>
-#include <limits>
 
 namespace gyromode::dense {
 
 namespace {
 
-using HermitianEigen = Eigen::SelfAdjointEigenSolver<ComplexMatrix>;
-
 // B = ±R with R > 0: R^{-½} A R^{-½} is Hermitian, its eigenvalues real.
-std::vector<PencilRoot> definite_pencil(const ComplexMatrix& a, const HermitianEigen& b, double sign) {
-  const ComplexMatrix root = b.eigenvectors() * b.eigenvalues().cwiseAbs().cwiseSqrt().cwiseInverse().asDiagonal();
-  const HermitianEigen e(root.adjoint() * a * root);
+std::vector<PencilRoot> definite_pencil(const ComplexMatrix& a, const lapack::HermitianEigen& b, double sign) {
+  const ComplexMatrix root = b.vectors * b.values.cwiseAbs().cwiseSqrt().cwiseInverse().asDiagonal();
+  const lapack::HermitianEigen e = small::hermitian_eigen(root.adjoint() * a * root);
   std::vector<PencilRoot> roots;
   for (Index k = 0; k < a.rows(); ++k) {
-    const ComplexVector y = root * e.eigenvectors().col(k);
+    const ComplexVector y = root * e.vectors.col(k);
     const double length = y.norm();
-    roots.push_back({sign * e.eigenvalues()(k), y / length, sign / (length * length)});
+    roots.push_back({sign * e.values(k), y / length, sign / (length * length)});
   }
   return roots;
 }
 
 std::vector<PencilRoot> indefinite_pencil(const ComplexMatrix& a, const ComplexMatrix& b) {
   const Index n = a.rows();
-  const Eigen::PartialPivLU<ComplexMatrix> lu(b);
-  const ComplexMatrix standard = lu.solve(a);
+  const ComplexMatrix standard = small::solve(b, a);
   if (!standard.allFinite()) return {};
   const auto e = lapack::general_eigen(standard);
   const ComplexVector values = conjugate_pairs(e.values);  // the roots of a self-adjoint pencil are real or in conjugate pairs
@@ -75,8 +70,8 @@ ComplexVector conjugate_pairs(const ComplexVector& computed) {
 }
 
 std::vector<PencilRoot> self_adjoint_pencil(const ComplexMatrix& a, const ComplexMatrix& b) {
-  const HermitianEigen eb(b);
-  const Vector& beta = eb.eigenvalues();
+  const lapack::HermitianEigen eb = small::hermitian_eigen(b);
+  const Vector& beta = eb.values;
   constexpr double condition_limit = 1e7;
   const double weakest = beta.cwiseAbs().minCoeff();
   const double strongest = beta.cwiseAbs().maxCoeff();
@@ -84,7 +79,7 @@ std::vector<PencilRoot> self_adjoint_pencil(const ComplexMatrix& a, const Comple
     if (beta.minCoeff() > 0) return definite_pencil(a, eb, 1);
     if (beta.maxCoeff() < 0) return definite_pencil(a, eb, -1);
   }
-  if (!(weakest > 8 * static_cast<double>(a.rows()) * std::numeric_limits<double>::epsilon() * strongest)) return {};
+  if (!(weakest > zero_to_rounding(a.rows()) * strongest)) return {};
   return indefinite_pencil(a, b);
 }
 

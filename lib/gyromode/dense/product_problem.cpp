@@ -4,8 +4,7 @@
 #include "gyromode/dense/pencil.h"
 #include "gyromode/lapack/general.h"
 #include "gyromode/lapack/multiply.h"
-
-#include <Eigen/LU>
+#include "gyromode/lapack/small.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +98,7 @@ Matrix product_matrix(const Product& p) {
 Product projected(const Product& p, const Matrix& u, const Matrix& v) {
   const auto onto = [](const Matrix& left, const Matrix& a, const Matrix& right) { return lapack::multiply_tn(left, lapack::multiply(a, right)); };
   Product small{onto(u, p.sigma, v), {}, onto(u, p.eu, u), onto(v, p.ev, v)};
-  small.sigma_inverse = small.sigma.inverse();
+  small.sigma_inverse = small::inverse(small.sigma);
   return small;
 }
 

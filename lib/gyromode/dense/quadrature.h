@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/dense/unstable_roots.h"
-#include "gyromode/lapack/types.h"
+#include "gyromode/base/types.h"
 
 #include <functional>
 #include <optional>

@@ -1,15 +1,14 @@
 #include "gyromode/dense/refine.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/basis.h"
 #include "gyromode/dense/pencil.h"
 #include "gyromode/lapack/indefinite.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/system/scale.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode::dense {
 
@@ -59,7 +58,7 @@ double largest_step(const std::vector<PencilRoot>& roots) {
 template <class AnyMatrix>
 AnyMatrix shifted_by_rounding(const AnyMatrix& h, int attempt) {
   AnyMatrix shifted = h;
-  const double step = std::ldexp(std::numeric_limits<double>::epsilon(), 2 * attempt);
+  const double step = std::ldexp(epsilon, 2 * attempt);
   const Vector rows = h.cwiseAbs().rowwise().maxCoeff();
   shifted.diagonal() += (step * rows).template cast<typename AnyMatrix::Scalar>();
   return shifted;
@@ -119,13 +118,12 @@ double worst_residual(const Impedance& h, const Spectrum& s, const std::vector<I
 template <class AnyMatrix>
 bool refine_group(const Impedance& h, Spectrum& s, const std::vector<Index>& group, double reach) {
   constexpr int most_steps = 5;
-  const double epsilon = std::numeric_limits<double>::epsilon();
   AnyMatrix x = taken(s, group, AnyMatrix());
   double sigma = 0;
   for (const Index i : group) sigma += s.omega(i) / static_cast<double>(group.size());
   const double start = sigma;
   std::vector<PencilRoot> roots;
-  double previous = std::numeric_limits<double>::infinity();
+  double previous = infinity;
   for (int step = 0; step < most_steps; ++step) {
     const auto pair = at(h, sigma, x);
     const AnyMatrix y = inverse_iterated(pair.value, AnyMatrix(pair.slope * x), 1);
@@ -193,8 +191,7 @@ template <class AnyMatrix>
 bool parallel(const Spectrum& s, const std::vector<Index>& group) {
   constexpr double limit = 1e-2;
   const AnyMatrix x = taken(s, group, AnyMatrix()).colwise().normalized();
-  const Eigen::SelfAdjointEigenSolver<AnyMatrix> gram(x.adjoint() * x, Eigen::EigenvaluesOnly);
-  return gram.eigenvalues()(0) < limit * limit;
+  return small::hermitian_eigenvalues(ComplexMatrix((x.adjoint() * x).template cast<Complex>()))(0) < limit * limit;
 }
 
 template <class AnyMatrix>

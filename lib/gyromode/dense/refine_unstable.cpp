@@ -1,23 +1,23 @@
 #include "gyromode/dense/refine_unstable.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/characteristic_factor.h"
 
 #include <cmath>
-#include <limits>
 
 namespace gyromode::dense {
 
 std::optional<UnstableRoot> refine_unstable(const Impedance& h, Complex lambda, double reach) {
   constexpr int most_steps = 8;
-  constexpr double settled = 64 * std::numeric_limits<double>::epsilon();
+  constexpr double settled = 64 * epsilon;
   const bool real = lambda.imag() == 0;
   const Complex start = lambda;
   std::optional<UnstableRoot> last;
-  double previous = std::numeric_limits<double>::infinity();
+  double previous = infinity;
   for (int step = 0; step < most_steps; ++step) {
     const NullPair v = null_pair(h, lambda);
     if (!v.right.allFinite() || !v.left.allFinite()) {  // singular to the last bit
-      lambda *= 1 + 4 * std::numeric_limits<double>::epsilon();
+      lambda *= 1 + 4 * epsilon;
       continue;
     }
     const Complex slope = v.left.dot(h.characteristic_slope_at(lambda) * v.right);

@@ -1,8 +1,7 @@
 #include "gyromode/dense/root_groups.h"
 
 #include "gyromode/dense/pencil.h"
-
-#include <Eigen/QR>
+#include "gyromode/lapack/small.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,10 +101,7 @@ ComplexVector partner_of(const std::vector<PencilRoot>& found, std::size_t i) {
 
 // Roots of one group that may meet on the axis: the Hermitian pencil of 𝓔 and −j𝒮 on their span, W = QR, 𝓔Q = (𝓔W)R⁻¹.
 bool resolve(const Upper& u, const std::vector<Index>& group, std::vector<EvenRoot>& roots) {
-  const Eigen::HouseholderQR<ComplexMatrix> qr(u.w(Eigen::all, group));
-  const Index c = static_cast<Index>(group.size());
-  const ComplexMatrix q = qr.householderQ() * ComplexMatrix::Identity(u.w.rows(), c);
-  const ComplexMatrix r = qr.matrixQR().topRows(c).template triangularView<Eigen::Upper>();
+  const auto [q, r] = small::qr(u.w(Eigen::all, group));
   const auto onto = [&](const ComplexMatrix& image) -> ComplexMatrix { return q.adjoint() * r.template triangularView<Eigen::Upper>().template solve<Eigen::OnTheRight>(ComplexMatrix(image(Eigen::all, group))); };
   ComplexMatrix a = onto(u.e);
   ComplexMatrix b = Complex(0, -1) * onto(u.s);

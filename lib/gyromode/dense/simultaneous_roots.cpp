@@ -1,19 +1,17 @@
 #include "gyromode/dense/simultaneous_roots.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/characteristic_factor.h"
 #include "gyromode/dense/pencil.h"
 #include "gyromode/dense/root_moduli.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace gyromode::dense {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // As many points on a circle within each annulus as it holds pairs, at angles that no symmetry repeats.
 ComplexVector starting_points(const std::vector<Annulus>& annuli, Index pairs) {
@@ -36,7 +34,7 @@ Complex logarithmic_derivative(const Impedance& h, Complex mu, Index zero) {
 }
 
 struct Iterate {
-  double least_step = std::numeric_limits<double>::infinity();  // relative
+  double least_step = infinity;  // relative
   int without_progress = 0;                                     // rounds since it became less
   bool settled = false;
 };

@@ -1,5 +1,6 @@
 #include "gyromode/dense/solve.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/dense/classical.h"
 #include "gyromode/dense/second_order.h"
 
@@ -28,13 +29,13 @@ void require_reversing_symmetry(const Component& component, const Labels& labels
   const std::string why = component.search ? fmt::format("the nearest reflection breaks the commutation rules by {:.2g} of ‖K‖ and ‖G‖, where rounding explains {:.2g}", component.search->breach,
                                                          component.search->threshold)
                                            : "none was looked for";
-  throw MethodDoesNotApply(fmt::format("method 'hidden' needs a reversing symmetry, which the component of coordinate '{}' does not have: {}; 'auto' or 'general' apply", first, why));
+  throw NotApplicable(fmt::format("method 'hidden' needs a reversing symmetry, which the component of coordinate '{}' does not have: {}; 'auto' or 'general' apply", first, why));
 }
 
 void require_partition(const Component& component, const Labels& labels) {
   if (component.quadrature()) return;
   const Index first = component.odd_cycle->coordinates.front();
-  throw MethodDoesNotApply(
+  throw NotApplicable(
       fmt::format("method 'quadrature' needs a quadrature partition, which the component of coordinate '{}' does not have (gyromode structure shows "
                   "why); 'auto' or 'general' apply",
                   labels[static_cast<std::size_t>(first)]));
@@ -87,9 +88,9 @@ Impedance impedance_of(const System& system, const Component& component, Method 
 
 Impedance impedance_of(const FirstOrderSystem& system, const Component& component, Method method) {
   if (method == Method::quadrature) require_partition(component, system.labels());
-  if (method == Method::hidden) throw MethodDoesNotApply("method 'hidden' serves second-order models: every first-order model has a reversing symmetry, and 'general' makes use of it");
+  if (method == Method::hidden) throw NotApplicable("method 'hidden' serves second-order models: every first-order model has a reversing symmetry, and 'general' makes use of it");
   if (method == Method::first_order || method == Method::symmetric_2n) {
-    throw MethodDoesNotApply("the classical 2n methods start from M, G, K; a first-order model is solved as it stands: use 'auto', 'quadrature' or 'general'");
+    throw NotApplicable("the classical 2n methods start from M, G, K; a first-order model is solved as it stands: use 'auto', 'quadrature' or 'general'");
   }
   const bool with_partition = component.quadrature() && method != Method::general;
   return Impedance::natural(system, ordered(component, with_partition), with_partition ? static_cast<Index>(component.in_phase.size()) : -1);

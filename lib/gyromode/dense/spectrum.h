@@ -1,24 +1,18 @@
 #pragma once
 
+#include "gyromode/base/error.h"
 #include "gyromode/dense/unstable_roots.h"
-#include "gyromode/lapack/types.h"
+#include "gyromode/base/types.h"
 #include "gyromode/structure/definiteness.h"
 #include "gyromode/system/units.h"
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace gyromode::dense {
 
-/// Which solver to use. `automatic` takes the best for the class; the others are refused (MethodDoesNotApply) where they do not apply.
+/// Which solver to use. `automatic` takes the best for the class; the others are refused (NotApplicable) where they do not apply.
 enum class Method { automatic, quadrature, hidden, general, first_order, symmetric_2n };
-
-/// A method that does not fit the system; what() says why and what to use instead.
-class MethodDoesNotApply : public std::invalid_argument {
- public:
-  using std::invalid_argument::invalid_argument;
-};
 
 /// All roots of one connected component of M q̈ + G q̇ + K q = 0 (or I q̇ + G q = 0), as a solver leaves them: not yet certified.
 struct Spectrum {

@@ -1,12 +1,12 @@
 #include "gyromode/discrete/boom_point.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/discrete/elements.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace gyromode {
 
@@ -14,7 +14,7 @@ namespace {
 
 Index position(const System& twin, const std::string& label) {
   const auto at = std::find(twin.labels().begin(), twin.labels().end(), label);
-  if (at == twin.labels().end()) throw std::logic_error("the twin has no coordinate " + label);
+  if (at == twin.labels().end()) throw InvalidArgument("the twin has no coordinate " + label);
   return at - twin.labels().begin();
 }
 
@@ -66,8 +66,8 @@ std::string BoomPoint::name() const {
 
 void require_point(const Spacecraft& s, const BoomPoint& p) {
   const std::size_t count = p.part == BoomPoint::Part::cable ? s.cables().size() : p.part == BoomPoint::Part::beam ? s.beams().size() : s.masses().size();
-  if (p.number < 1 || static_cast<std::size_t>(p.number) > count) throw std::invalid_argument(fmt::format("{}: the spacecraft has {} of that kind", p.name(), count));
-  if (!(p.along >= 0 && p.along <= 1)) throw std::invalid_argument(fmt::format("{}: a place from 0 (root) to 1 (tip) was expected", p.name()));
+  if (p.number < 1 || static_cast<std::size_t>(p.number) > count) throw InvalidArgument(fmt::format("{}: the spacecraft has {} of that kind", p.name(), count));
+  if (!(p.along >= 0 && p.along <= 1)) throw InvalidArgument(fmt::format("{}: a place from 0 (root) to 1 (tip) was expected", p.name()));
 }
 
 Eigen::Vector3d steady_place(const Spacecraft& s, const BoomPoint& p) {

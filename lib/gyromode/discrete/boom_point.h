@@ -14,7 +14,7 @@ struct BoomPoint {
   std::string name() const;  ///< "cable1@0.5", "mass2"
 };
 
-/// Throws std::invalid_argument where the spacecraft has no such part, or `along` is outside [0, 1].
+/// Throws InvalidArgument where the spacecraft has no such part, or `along` is outside [0, 1].
 void require_point(const Spacecraft& s, const BoomPoint& point);
 /// Its steady place from the centre of mass P of the complete satellite, m.
 Eigen::Vector3d steady_place(const Spacecraft& s, const BoomPoint& point);

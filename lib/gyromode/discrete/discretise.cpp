@@ -2,8 +2,8 @@
 
 #include "gyromode/discrete/elements.h"
 #include "gyromode/discrete/quadratic_energy.h"
+#include "gyromode/lapack/small.h"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,10 +26,10 @@ struct Numbering {
 // Six mass points with the mass and inertia of the body.
 void add_body(QuadraticEnergy& e, const Spacecraft& s) {
   const Eigen::Matrix3d second = MassProperties::body(s.body().mass, s.body().inertia).second;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(second);
+  const auto axes = small::symmetric_eigen(second);
   const Eigen::Vector3d centre(0, 0, -s.centre());
   for (Index k = 0; k < 3; ++k) {
-    const Eigen::Vector3d arm = std::sqrt(std::max(0.0, 3 * axes.eigenvalues()(k) / s.body().mass)) * axes.eigenvectors().col(k);
+    const Eigen::Vector3d arm = std::sqrt(std::max(0.0, 3 * axes.values(k) / s.body().mass)) * axes.vectors.col(k);
     e.add_point(s.body().mass / 6, centre + arm);
     e.add_point(s.body().mass / 6, centre - arm);
   }

@@ -1,6 +1,6 @@
 #include "gyromode/discrete/elements.h"
 
-#include <Eigen/Eigenvalues>
+#include "gyromode/lapack/small.h"
 
 #include <cmath>
 
@@ -14,8 +14,8 @@ GaussRule from_jacobi(const Vector& off_diagonal) {
   Matrix jacobi = Matrix::Zero(n, n);
   jacobi.diagonal(1) = off_diagonal;
   jacobi.diagonal(-1) = off_diagonal;
-  const Eigen::SelfAdjointEigenSolver<Matrix> e(jacobi);
-  return {(0.5 * (e.eigenvalues().array() + 1)).matrix(), e.eigenvectors().row(0).cwiseAbs2().transpose()};
+  const auto e = small::symmetric_eigen(jacobi);
+  return {(0.5 * (e.values.array() + 1)).matrix(), e.vectors.row(0).cwiseAbs2().transpose()};
 }
 
 double legendre_off_diagonal(Index k) { return static_cast<double>(k) / std::sqrt(4.0 * static_cast<double>(k * k) - 1); }

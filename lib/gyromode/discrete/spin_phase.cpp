@@ -1,6 +1,6 @@
 #include "gyromode/discrete/spin_phase.h"
 
-#include <Eigen/Eigenvalues>
+#include "gyromode/lapack/symmetric.h"
 
 #include <vector>
 
@@ -42,15 +42,15 @@ ComplexVector WithoutSpinPhase::restored(const ComplexVector& shape, double omeg
 }
 
 System low_modes(const System& system, double limit) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> rest(system.stiffness(), system.mass());
+  const auto rest = lapack::symmetric_definite_eigen(system.stiffness(), system.mass());
   std::vector<Index> kept;
   for (Index i = 0; i < system.size(); ++i) {
-    if (std::abs(rest.eigenvalues()(i)) <= limit * limit) kept.push_back(i);
+    if (std::abs(rest.values(i)) <= limit * limit) kept.push_back(i);
   }
-  const Matrix v = rest.eigenvectors()(Eigen::all, kept);
+  const Matrix v = rest.vectors(Eigen::all, kept);
   const Index n = v.cols();
   const Matrix g = v.transpose() * system.gyroscopic() * v;
-  return System(Matrix::Identity(n, n), skew_part(g), Vector(rest.eigenvalues()(kept)).asDiagonal());
+  return System(Matrix::Identity(n, n), skew_part(g), Vector(rest.values(kept)).asDiagonal());
 }
 
 }  // namespace gyromode

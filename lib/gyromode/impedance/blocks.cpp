@@ -1,8 +1,7 @@
 #include "gyromode/impedance/blocks.h"
 
+#include "gyromode/lapack/small.h"
 #include "gyromode/structure/quadrature.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -54,9 +53,9 @@ BlockState state_of(const Block& block, const Lifted& lifted) {
   if (block.size() == 1) {
     s.eigenvalues = Vector::Constant(1, lifted.matrix(block.coordinates[0], block.coordinates[0]).real());
   } else if (block.real) {
-    s.eigenvalues = Eigen::SelfAdjointEigenSolver<Matrix>(real_block(block, lifted.matrix), Eigen::EigenvaluesOnly).eigenvalues();
+    s.eigenvalues = small::symmetric_eigenvalues(real_block(block, lifted.matrix));
   } else {
-    s.eigenvalues = Eigen::SelfAdjointEigenSolver<ComplexMatrix>(complex_block(block, lifted.matrix), Eigen::EigenvaluesOnly).eigenvalues();
+    s.eigenvalues = small::hermitian_eigenvalues(complex_block(block, lifted.matrix));
   }
   for (const Index i : block.coordinates) s.held += lifted.held[static_cast<std::size_t>(i)];
   s.count = s.held + (s.eigenvalues.array() < 0).count();
@@ -71,16 +70,16 @@ BlockEigenpair eigenpair(const Block& block, const Lifted& lifted, Index positio
   Vector values;
   ComplexMatrix vectors;
   if (block.real) {
-    const Eigen::SelfAdjointEigenSolver<Matrix> e(real_block(block, lifted.matrix));
-    values = e.eigenvalues();
-    vectors = e.eigenvectors().cast<Complex>();
+    const auto e = small::symmetric_eigen(real_block(block, lifted.matrix));
+    values = e.values;
+    vectors = e.vectors.cast<Complex>();
     for (std::size_t i = 0; i < block.coordinates.size(); ++i) {
       if (block.in_quadrature[i]) vectors.row(static_cast<Index>(i)) *= Complex(0, -1);
     }
   } else {
-    const Eigen::SelfAdjointEigenSolver<ComplexMatrix> e(complex_block(block, lifted.matrix));
-    values = e.eigenvalues();
-    vectors = e.eigenvectors();
+    const auto e = small::hermitian_eigen(complex_block(block, lifted.matrix));
+    values = e.values;
+    vectors = e.vectors;
   }
   BlockEigenpair found{values(position), ComplexVector::Zero(lifted.matrix.rows())};
   for (std::size_t i = 0; i < block.coordinates.size(); ++i) found.vector(block.coordinates[i]) = vectors(static_cast<Index>(i), position);

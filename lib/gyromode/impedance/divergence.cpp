@@ -1,11 +1,10 @@
 #include "gyromode/impedance/divergence.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/impedance/singularity.h"
-
-#include <Eigen/LU>
+#include "gyromode/lapack/small.h"
 
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
 
@@ -18,12 +17,11 @@ struct Determinant {
 };
 
 Determinant determinant(const BlockedImpedance& h, const Block& block, double sigma) {
-  const Eigen::FullPivLU<ComplexMatrix> lu(equilibrated_block(h, block, Complex(0, -sigma)));
-  const auto pivots = lu.matrixLU().diagonal().eval();
-  Complex phase = static_cast<double>(lu.permutationP().determinant() * lu.permutationQ().determinant());
-  for (const Complex& p : pivots) phase *= p == 0.0 ? Complex(1) : p / std::abs(p);
+  const small::Pivots pivots = small::pivots(equilibrated_block(h, block, Complex(0, -sigma)));
+  Complex phase = pivots.sign;
+  for (const Complex& p : pivots.values) phase *= p == 0.0 ? Complex(1) : p / std::abs(p);
   constexpr double beyond_doubt = 16;
-  const Eigen::VectorXd sizes = pivots.cwiseAbs();
+  const Vector sizes = pivots.values.cwiseAbs();
   return {phase, sizes.minCoeff() > beyond_doubt * h.impedance.rounding(sigma) * sizes.maxCoeff()};
 }
 
@@ -51,7 +49,7 @@ class SignOfDeterminant {
 
 double bisected(const SignOfDeterminant& sign, double lo, double hi, bool positive_at_lo) {
   constexpr int most_steps = 80;
-  for (int step = 0; step < most_steps && hi - lo > 2 * std::numeric_limits<double>::epsilon() * hi; ++step) {
+  for (int step = 0; step < most_steps && hi - lo > 2 * epsilon * hi; ++step) {
     const double middle = 0.5 * (lo + hi);
     (sign.positive(middle) == positive_at_lo ? lo : hi) = middle;
   }

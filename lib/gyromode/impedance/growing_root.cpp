@@ -1,9 +1,7 @@
 #include "gyromode/impedance/growing_root.h"
 
 #include "gyromode/impedance/singularity.h"
-
-#include <Eigen/LU>
-#include <Eigen/SVD>
+#include "gyromode/lapack/small.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +21,7 @@ Complex bordered(const ComplexMatrix& a, const ComplexVector& u, const ComplexVe
   m << a, u, v.adjoint(), ComplexMatrix::Zero(1, 1);
   ComplexVector right = ComplexVector::Zero(n + 1);
   right(n) = 1;
-  return Eigen::FullPivLU<ComplexMatrix>(m).solve(right)(n);
+  return small::solve_fully_pivoted(m, right)(n);
 }
 
 // Whether z is away from both axes by more than rounding may have moved it. Near an axis two roots meet, g ≈ c((z − z₀)² + d²), and the error of z is that of g over |g′| ≈ 2cd: g′ is taken over a
@@ -43,8 +41,8 @@ std::optional<GrowingRoot> growing_root(const BlockedImpedance& h, Index block, 
   const bool divergence = seed.imag() == 0;
   const Complex minus_j(0, -1);
   const Complex start = minus_j * seed;
-  const Eigen::JacobiSVD<ComplexMatrix> svd(block_at(h, b, start), Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const ComplexVector u = svd.matrixU().rightCols(1), v = svd.matrixV().rightCols(1);
+  const small::Svd svd = small::singular_value_decomposition(block_at(h, b, start));
+  const ComplexVector u = svd.u.rightCols(1), v = svd.v.rightCols(1);
   const auto on_axis = [&](const Complex& z) { return divergence ? Complex(0, z.imag()) : z; };
   constexpr double first_step = 1e-4, reach = 0.1;
   const double size = std::abs(seed);
@@ -82,8 +80,8 @@ void measure(const BlockedImpedance& h, GrowingRoot& root) {
   const Block& b = h.blocks[static_cast<std::size_t>(root.block)];
   const Complex z(root.omega, -root.growth);
   const ComplexMatrix a = block_at(h, b, z);
-  const Eigen::JacobiSVD<ComplexMatrix> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const ComplexVector u = svd.matrixU().rightCols(1), v = svd.matrixV().rightCols(1);
+  const small::Svd svd = small::singular_value_decomposition(a);
+  const ComplexVector u = svd.u.rightCols(1), v = svd.v.rightCols(1);
   const Complex step = part * z;
   const double slope = std::abs(bordered(block_at(h, b, z + step), u, v) - bordered(block_at(h, b, z - step), u, v)) / (2 * std::abs(step));
   const double size = std::abs(bordered(a, u, v));

@@ -1,6 +1,6 @@
 #include "gyromode/impedance/singularity.h"
 
-#include <Eigen/SVD>
+#include "gyromode/lapack/small.h"
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ ComplexMatrix equilibrated_block(const BlockedImpedance& h, const Block& block, 
 }
 
 double relative_singularity(const ComplexMatrix& a) {
-  const auto s = Eigen::JacobiSVD<ComplexMatrix>(a).singularValues();
+  const Vector s = small::singular_values(a);
   return s(s.size() - 1) / s(0);
 }
 

@@ -2,7 +2,7 @@
 
 #include "gyromode/io/model.h"
 #include "gyromode/modes/count.h"
-#include "gyromode/modes/result.h"
+#include "gyromode/spectrum/result.h"
 #include "gyromode/modes/effective_axes.h"
 #include "gyromode/motion/frequency_response.h"
 #include "gyromode/motion/response.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gyromode/io/input_error.h"
-#include "gyromode/lapack/types.h"
+#include "gyromode/base/error.h"
+#include "gyromode/base/types.h"
 
 #include <filesystem>
 #include <optional>
@@ -15,7 +15,7 @@ enum class Symmetry { general, symmetric, skew_symmetric };
 
 /// Reads a dense n × m matrix from a Matrix Market file: coordinate or array; real or integer; general, symmetric or
 /// skew-symmetric; comments, blank lines and CRLF are accepted. A header is never trusted: the number of entries is checked
-/// against the content before memory is taken. Throws InputError for anything else, with line and value; an entry given twice is an
+/// against the content before memory is taken. Throws Unreadable for anything else, with line and value; an entry given twice is an
 /// error (the rule chosen here: repeated entries are neither added nor overwritten), as is one above the diagonal of a symmetric file.
 Matrix read_matrix_market(const std::filesystem::path& file);
 
@@ -30,7 +30,7 @@ bool fits_dense(Index rows, Index cols, Index entries);
 /// Writes `a` in coordinate form, each value in the shortest form that reads back to the same double, entries that are exactly zero
 /// left out (but for the diagonal, where fits_dense() asks for it); symmetric and skew-symmetric matrices as their lower triangle.
 /// Written beside the target and renamed, so a failure leaves an existing file as it was.
-/// Throws std::invalid_argument where `a` is empty, not finite, or not exactly of the symmetry named.
+/// Throws InvalidArgument where `a` is empty, not finite, or not exactly of the symmetry named.
 void write_matrix_market(const std::filesystem::path& file, const Matrix& a, Symmetry symmetry, std::string_view comment = {});
 
 /// The text that write_matrix_market() writes. Each line of `comment` becomes a line that starts with "% ".

@@ -1,6 +1,6 @@
 #include "gyromode/io/matrix_market_header.h"
 
-#include "gyromode/io/number.h"
+#include "gyromode/base/number.h"
 
 #include <fmt/format.h>
 

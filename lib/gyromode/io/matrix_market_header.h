@@ -24,7 +24,7 @@ struct Size {
   std::size_t line = 0;  // where the file says so
 };
 
-/// Throw InputError with line, value and expectation.
+/// Throw Unreadable with line, value and expectation.
 Banner read_banner(Lines& lines);
 Size read_size(Lines& lines, const Banner& banner);
 

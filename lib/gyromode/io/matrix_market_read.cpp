@@ -1,8 +1,9 @@
 // Format: R. F. Boisvert, R. Pozo, K. A. Remington, The Matrix Market Exchange Formats: Initial Design, NISTIR 5935, 1996.
 #include "gyromode/io/matrix_market.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/io/matrix_market_header.h"
-#include "gyromode/io/number.h"
+#include "gyromode/base/number.h"
 #include "gyromode/io/text_file.h"
 #include "gyromode/io/text_lines.h"
 
@@ -99,7 +100,7 @@ void require_distinct(std::vector<Entry>& entries, const std::filesystem::path& 
     if (same && (!repeated || entries[k].line < repeated->line)) repeated = &entries[k];
   }
   if (!repeated) return;
-  throw InputError(name, repeated->line, 0,
+  throw Unreadable(name, repeated->line, 0,
                    fmt::format("entry ({},{}) was already given in line {}: each entry once was expected", repeated->row + 1,
                                repeated->col + 1, (repeated - 1)->line));
 }
@@ -108,7 +109,7 @@ Matrix zero_matrix(const Size& size, const std::filesystem::path& name) {
   try {
     return Matrix::Zero(size.rows, size.cols);
   } catch (const std::bad_alloc&) {
-    throw InputError(name, size.line, 0, fmt::format("there is no memory for a dense {} x {} matrix", size.rows, size.cols));
+    throw Unreadable(name, size.line, 0, fmt::format("there is no memory for a dense {} x {} matrix", size.rows, size.cols));
   }
 }
 
@@ -143,10 +144,10 @@ Matrix read_array(Lines& lines, const Banner& banner, const Size& size, const st
 }  // namespace
 
 Matrix parse_matrix_market(std::string_view text, const std::filesystem::path& name, std::optional<Index> most) {
-  if (text.empty()) throw InputError(name, fmt::format("is empty: '{}' was expected as its first line", banner_form));
+  if (text.empty()) throw Unreadable(name, fmt::format("is empty: '{}' was expected as its first line", banner_form));
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
     const auto line = static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n')) + 1;
-    throw InputError(name, line, 0, "byte '\\x00' is not text: this is a binary file, a Matrix Market file was expected");
+    throw Unreadable(name, line, 0, "byte '\\x00' is not text: this is a binary file, a Matrix Market file was expected");
   }
   Lines lines(text, name);
   const Banner banner = read_banner(lines);

@@ -1,4 +1,5 @@
 #include "gyromode/io/matrix_market.h"
+#include "gyromode/base/error.h"
 #include "gyromode/io/write_file.h"
 
 #include <fmt/format.h>
@@ -6,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <stdexcept>
 
 namespace gyromode::io {
 
@@ -25,7 +25,7 @@ void require_finite(const Matrix& a) {
   for (Index j = 0; j < a.cols(); ++j) {
     for (Index i = 0; i < a.rows(); ++i) {
       if (std::isfinite(a(i, j))) continue;
-      throw std::invalid_argument(fmt::format("a Matrix Market file holds finite values: entry ({},{}) = {}", i, j, a(i, j)));
+      throw InvalidArgument(fmt::format("a Matrix Market file holds finite values: entry ({},{}) = {}", i, j, a(i, j)));
     }
   }
 }
@@ -34,7 +34,7 @@ void require_finite(const Matrix& a) {
 void require_symmetry(const Matrix& a, Symmetry symmetry) {
   if (symmetry == Symmetry::general) return;
   if (a.rows() != a.cols()) {
-    throw std::invalid_argument(fmt::format("a {} matrix must be square: this one is {} x {}", word(symmetry), a.rows(), a.cols()));
+    throw InvalidArgument(fmt::format("a {} matrix must be square: this one is {} x {}", word(symmetry), a.rows(), a.cols()));
   }
   const double sign = symmetry == Symmetry::symmetric ? 1 : -1;
   for (Index j = 0; j < a.cols(); ++j) {
@@ -42,7 +42,7 @@ void require_symmetry(const Matrix& a, Symmetry symmetry) {
       if (a(i, j) == sign * a(j, i)) continue;
       const std::string met = i == j ? fmt::format("entry ({0},{0}) = {1} is not zero", i, a(i, i))
                                      : fmt::format("entries ({0},{1}) = {2} and ({1},{0}) = {3} do not match", i, j, a(i, j), a(j, i));
-      throw std::invalid_argument(fmt::format("a {} file holds the lower triangle only: {}", word(symmetry), met));
+      throw InvalidArgument(fmt::format("a {} file holds the lower triangle only: {}", word(symmetry), met));
     }
   }
 }
@@ -59,7 +59,7 @@ Index count_nonzeros(const Matrix& a, Symmetry symmetry) {
 
 std::string commented(std::string_view comment) {
   if (comment.find('\0') != std::string_view::npos) {
-    throw std::invalid_argument("a comment in a Matrix Market file must be text: it holds a NUL byte");
+    throw InvalidArgument("a comment in a Matrix Market file must be text: it holds a NUL byte");
   }
   std::string out;
   while (!comment.empty()) {
@@ -74,7 +74,7 @@ std::string commented(std::string_view comment) {
 
 std::string format_matrix_market(const Matrix& a, Symmetry symmetry, std::string_view comment) {
   if (a.size() == 0) {
-    throw std::invalid_argument(fmt::format("a Matrix Market file holds one row and column at least: this is {} x {}", a.rows(), a.cols()));
+    throw InvalidArgument(fmt::format("a Matrix Market file holds one row and column at least: this is {} x {}", a.rows(), a.cols()));
   }
   require_finite(a);
   require_symmetry(a, symmetry);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/io/input_error.h"
+#include "gyromode/base/error.h"
 #include "gyromode/spacecraft/spacecraft.h"
 #include "gyromode/structure/ignored_couplings.h"
 #include "gyromode/system/first_order_system.h"
@@ -37,8 +37,8 @@ struct Model {
   const Labels& labels() const;
 };
 
-/// Reads a TOML model of kind "matrices", "first_order" or "spacecraft" (docs/model-files.md). Throws InputError (file, line, column, value and what was
-/// expected) for what cannot be read, BrokenPromise for what breaks a law.
+/// Reads a TOML model of kind "matrices", "first_order" or "spacecraft" (docs/model-files.md). Throws Unreadable (file, line, column, value and what was
+/// expected) for what cannot be read, LawBroken for what breaks a law.
 Model read_model(const std::filesystem::path& file);
 
 /// The same from text in memory; `name` stands for the file in messages, and matrix files are sought in its folder.

@@ -1,10 +1,12 @@
 #include "gyromode/io/digest.h"
+#include "gyromode/base/error.h"
+#include "gyromode/base/labels.h"
 #include "gyromode/io/matrix_market.h"
 #include "gyromode/io/model.h"
 #include "gyromode/io/spacecraft_toml.h"
 #include "gyromode/io/text_file.h"
 #include "gyromode/io/toml_table.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 
 #include <fmt/format.h>
 
@@ -152,8 +154,8 @@ Model read_matrices(const std::filesystem::path& mass, const std::optional<std::
     const std::string text = read_text(file, "Matrix Market");
     digest.add(text);
     Matrix a = parse_matrix_market(text, file, most_coordinates);
-    if (a.rows() != a.cols()) throw InputError(file, fmt::format("has {} rows and {} columns: a square matrix was expected", a.rows(), a.cols()));
-    if (n != 0 && a.rows() != n) throw InputError(file, fmt::format("is {0} × {0}: the order of '{2}', {1} × {1}, was expected", a.rows(), n, mass.string()));
+    if (a.rows() != a.cols()) throw Unreadable(file, fmt::format("has {} rows and {} columns: a square matrix was expected", a.rows(), a.cols()));
+    if (n != 0 && a.rows() != n) throw Unreadable(file, fmt::format("is {0} × {0}: the order of '{2}', {1} × {1}, was expected", a.rows(), n, mass.string()));
     n = a.rows();
     return a;
   };

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/io/model.h"
-#include "gyromode/modes/result.h"
+#include "gyromode/spectrum/result.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "gyromode/io/text_file.h"
 
-#include "gyromode/io/input_error.h"
+#include "gyromode/base/error.h"
 
 #include <fmt/format.h>
 
@@ -17,11 +17,11 @@ std::string read_text(const std::filesystem::path& file, std::string_view what) 
   std::error_code error;
   const bool regular = std::filesystem::is_regular_file(file, error);
   const std::size_t most = (regular ? 4 : 1) * gibibyte;
-  if (std::filesystem::is_directory(file, error)) throw InputError(file, fmt::format("is a directory: a {} file was expected", what));
+  if (std::filesystem::is_directory(file, error)) throw Unreadable(file, fmt::format("is a directory: a {} file was expected", what));
   std::ifstream in(file, std::ios::binary);
   if (!in) {
     const std::string why = std::generic_category().message(errno);
-    throw InputError(file, fmt::format("cannot be opened ({}): a {} file was expected", why, what));
+    throw Unreadable(file, fmt::format("cannot be opened ({}): a {} file was expected", why, what));
   }
   std::string text;
   std::vector<char> chunk(1 << 16);
@@ -32,11 +32,11 @@ std::string read_text(const std::filesystem::path& file, std::string_view what) 
     text.append(chunk.begin(), nul);
     if (nul != end) {
       const auto line = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
-      throw InputError(file, line, 0, fmt::format("byte '\\x00' is not text: this is a binary file, a {} file was expected", what));
+      throw Unreadable(file, line, 0, fmt::format("byte '\\x00' is not text: this is a binary file, a {} file was expected", what));
     }
-    if (text.size() > most) throw InputError(file, fmt::format("is larger than {} GiB{}: more than a dense model can need", most / gibibyte, regular ? "" : " and no regular file"));
+    if (text.size() > most) throw Unreadable(file, fmt::format("is larger than {} GiB{}: more than a dense model can need", most / gibibyte, regular ? "" : " and no regular file"));
   } while (in);
-  if (in.bad()) throw InputError(file, fmt::format("cannot be read beyond byte {}", text.size()));
+  if (in.bad()) throw Unreadable(file, fmt::format("cannot be read beyond byte {}", text.size()));
   return text;
 }
 

@@ -6,7 +6,7 @@
 
 namespace gyromode::io {
 
-/// The whole content of a file. Throws InputError where it is missing, a directory, unreadable, beyond 4 GiB (1 GiB where it is no regular file: a pipe, a device), or holds a NUL byte, which is read no
+/// The whole content of a file. Throws Unreadable where it is missing, a directory, unreadable, beyond 4 GiB (1 GiB where it is no regular file: a pipe, a device), or holds a NUL byte, which is read no
 /// further: text has none. `what` names what was expected in the message ("Matrix Market", "TOML").
 std::string read_text(const std::filesystem::path& file, std::string_view what);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/io/input_error.h"
+#include "gyromode/base/error.h"
 #include "gyromode/io/text_file.h"
 
 #include <fmt/format.h>
@@ -58,7 +58,7 @@ class Lines {
     return words();
   }
 
-  [[noreturn]] void fail(const std::string& message) const { throw InputError(file_, number_, 0, message); }
+  [[noreturn]] void fail(const std::string& message) const { throw Unreadable(file_, number_, 0, message); }
 
  private:
   static constexpr std::string_view blanks = " \t\r";

@@ -1,10 +1,11 @@
 #include "gyromode/io/toml_table.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/io/matrix_market.h"
 #include "gyromode/io/nearest.h"
 #include "gyromode/io/text_file.h"
 #include "gyromode/io/toml_text.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 
 #include <fmt/format.h>
 
@@ -35,7 +36,7 @@ std::string_view type_word(const toml::node& node) {
 }
 
 [[noreturn]] void fail_at(const std::filesystem::path& file, const toml::node& node, const std::string& message) {
-  throw InputError(file, node.source().begin.line, node.source().begin.column, message);
+  throw Unreadable(file, node.source().begin.line, node.source().begin.column, message);
 }
 
 double finite_number(const std::filesystem::path& file, const toml::node& node, std::string_view what) {
@@ -76,7 +77,7 @@ TomlTable::TomlTable(std::shared_ptr<const Content> content) : content_(std::mov
 void TomlTable::allow_only(std::span<const std::string_view> keys) const {
   for (const auto& [key, value] : content_->table) {
     if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
-    throw InputError(content_->file, key.source().begin.line, key.source().begin.column,
+    throw Unreadable(content_->file, key.source().begin.line, key.source().begin.column,
                      fmt::format("key '{}' is not known here: did you mean '{}'?", shown(key.str()), nearest(key.str(), keys)));
   }
 }
@@ -205,11 +206,11 @@ void TomlTable::fail(std::string_view key, const std::string& message) const { f
 void TomlTable::break_law(std::string_view key, const std::string& law) const {
   const toml::node* node = content_->table.get(key);
   const auto& at = (node ? node->source() : content_->table.source()).begin;
-  throw BrokenLaw(InputError(content_->file, at.line, at.column, law).what());
+  throw LawBroken(content_->file, at.line, at.column, law);
 }
 void TomlTable::fail(const std::string& message) const {
   const std::size_t line = content_->table.source().begin.line;
-  throw InputError(content_->file, line, 0, message);
+  throw Unreadable(content_->file, line, 0, message);
 }
 
 }  // namespace gyromode::io

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "gyromode/io/digest.h"
-#include "gyromode/io/input_error.h"
-#include "gyromode/io/unit.h"
-#include "gyromode/lapack/types.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/base/error.h"
+#include "gyromode/base/quantity.h"
+#include "gyromode/base/types.h"
+#include "gyromode/system/laws.h"
 
 #include <filesystem>
 #include <memory>
@@ -16,13 +16,7 @@
 
 namespace gyromode::io {
 
-/// A broken promise of which the file, line and column are known; what() starts with them.
-class BrokenLaw : public BrokenPromise {
- public:
-  using BrokenPromise::BrokenPromise;
-};
-
-/// A table of a TOML file (toml++) that knows where every value stands: each getter returns nothing for a missing key and throws InputError with
+/// A table of a TOML file (toml++) that knows where every value stands: each getter returns nothing for a missing key and throws Unreadable with
 /// line, column, value and expectation for one of the wrong type or unit.
 class TomlTable {
  public:
@@ -49,7 +43,7 @@ class TomlTable {
 
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;  ///< at the value of a key
   [[noreturn]] void fail(const std::string& message) const;                        ///< at the table
-  /// Throws BrokenLaw at the value of a key, or at the table where the key is missing.
+  /// Throws LawBroken at the value of a key, or at the table where the key is missing.
   [[noreturn]] void break_law(std::string_view key, const std::string& law) const;
 
  private:

@@ -1,6 +1,6 @@
 #include "gyromode/io/toml_text.h"
 
-#include "gyromode/io/input_error.h"
+#include "gyromode/base/error.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ class Nesting {
       if (header_ + open_ + before_equals_ + parts_ > deepest_toml) {
         const auto line_start = text_.rfind('\n', at_ - 1);
         const std::size_t line = static_cast<std::size_t>(std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_ - 1), '\n')) + 1;
-        throw InputError(file_, line, line_start == std::string_view::npos ? at_ : at_ - 1 - line_start, fmt::format("keys, tables and arrays are nested here beyond {} levels: a flatter model was expected", deepest_toml));
+        throw Unreadable(file_, line, line_start == std::string_view::npos ? at_ : at_ - 1 - line_start, fmt::format("keys, tables and arrays are nested here beyond {} levels: a flatter model was expected", deepest_toml));
       }
     }
   }
@@ -119,7 +119,7 @@ class Nesting {
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::filesystem::path& file) {
-  if (text.empty()) throw InputError(file, "is empty: a TOML model was expected");
+  if (text.empty()) throw Unreadable(file, "is empty: a TOML model was expected");
   Nesting(text, file).require_shallow();
   try {
     return toml::parse(text, file.string());
@@ -128,7 +128,7 @@ toml::table parse_toml(std::string_view text, const std::filesystem::path& file)
     for (char& c : message) {
       if (c == '\n' || c == '\r') c = ' ';
     }
-    throw InputError(file, e.source().begin.line, e.source().begin.column, fmt::format("is not TOML: {}", message));
+    throw Unreadable(file, e.source().begin.line, e.source().begin.column, fmt::format("is not TOML: {}", message));
   }
 }
 

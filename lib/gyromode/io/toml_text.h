@@ -11,7 +11,7 @@ namespace gyromode::io {
 /// recursion, so that a key of 100 000 parts would exhaust the stack.
 inline constexpr std::size_t deepest_toml = 64;
 
-/// The text as a document. Throws InputError, with line and column, where it is empty, nested deeper than that, or not TOML; `file` stands for it in messages.
+/// The text as a document. Throws Unreadable, with line and column, where it is empty, nested deeper than that, or not TOML; `file` stands for it in messages.
 toml::table parse_toml(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace gyromode::io

@@ -1,15 +1,15 @@
 #include "gyromode/io/varied_model.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/io/nearest.h"
-#include "gyromode/io/number.h"
+#include "gyromode/base/number.h"
 #include "gyromode/io/text_file.h"
 #include "gyromode/io/toml_text.h"
-#include "gyromode/io/unit.h"
+#include "gyromode/base/quantity.h"
 
 #include <fmt/format.h>
 
 #include <sstream>
-#include <stdexcept>
 
 namespace gyromode::io {
 
@@ -160,14 +160,14 @@ VariedModel::~VariedModel() = default;
 void VariedModel::require_key(const std::string& keys) const {
   toml::table table = document_->table;
   const std::vector<std::string> paths = split(keys, ',');
-  if (paths.empty()) throw std::invalid_argument("a key was expected, such as spin or body.inertia[2]");
+  if (paths.empty()) throw InvalidArgument("a key was expected, such as spin or body.inertia[2]");
   for (const std::string& path : paths) {
     if (leads_to_numbers(table, path)) continue;
     std::vector<std::string> known;
     collect(table, "", known);
     const std::vector<std::string_view> views(known.begin(), known.end());
-    if (views.empty()) throw std::invalid_argument(fmt::format("'{}' leads to no number in {}, which has none outside its matrix files", path, name_.string()));
-    throw std::invalid_argument(fmt::format("'{}' leads to no number in {}: did you mean '{}'?", path, name_.string(), nearest(path, views)));
+    if (views.empty()) throw InvalidArgument(fmt::format("'{}' leads to no number in {}, which has none outside its matrix files", path, name_.string()));
+    throw InvalidArgument(fmt::format("'{}' leads to no number in {}: did you mean '{}'?", path, name_.string(), nearest(path, views)));
   }
 }
 

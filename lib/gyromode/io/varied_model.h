@@ -13,12 +13,12 @@ namespace gyromode::io {
 /// `body.inertia[2]`, `cable[*].length`, `stiffness[0][1]`; several with commas between are given the same value.
 class VariedModel {
  public:
-  /// Throws InputError where the file cannot be read or is no model.
+  /// Throws Unreadable where the file cannot be read or is no model.
   explicit VariedModel(const std::filesystem::path& file);
   VariedModel(std::string_view text, const std::filesystem::path& name);
   ~VariedModel();
 
-  /// Throws std::invalid_argument where the key leads to no number, with the nearest that does.
+  /// Throws InvalidArgument where the key leads to no number, with the nearest that does.
   void require_key(const std::string& key) const;
   /// The model with values[i] (SI) at keys[i]. Throws what reading a model throws: the values may make it unlawful.
   Model at(const std::vector<std::string>& keys, const std::vector<double>& values) const;

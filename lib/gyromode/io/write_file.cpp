@@ -1,6 +1,6 @@
 #include "gyromode/io/write_file.h"
 
-#include "gyromode/io/input_error.h"
+#include "gyromode/base/error.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@ namespace gyromode::io {
 void write_file(const std::filesystem::path& file, std::string_view content) {
   namespace fs = std::filesystem;
   std::error_code error;
-  if (fs::is_directory(file, error)) throw InputError(file, "is a directory: a file to write was expected");
+  if (fs::is_directory(file, error)) throw Unreadable(file, "is a directory: a file to write was expected");
   // A pipe or a device (/dev/stdout) has no beside to rename from.
   const bool in_place = fs::exists(file, error) && !fs::is_regular_file(file, error);
   const fs::path beside = in_place ? file : fs::path(fmt::format("{}.{}.part", file.string(), ::getpid()));
@@ -23,7 +23,7 @@ void write_file(const std::filesystem::path& file, std::string_view content) {
     out.flush();
     if (!out) {
       if (!in_place) fs::remove(beside, error);
-      throw InputError(file, "cannot be written (does the folder exist, is there room?)");
+      throw Unreadable(file, "cannot be written (does the folder exist, is there room?)");
     }
   }
   if (in_place) return;
@@ -31,7 +31,7 @@ void write_file(const std::filesystem::path& file, std::string_view content) {
   if (error) {
     const std::string why = error.message();
     fs::remove(beside, error);
-    throw InputError(file, fmt::format("cannot be replaced: {}", why));
+    throw Unreadable(file, fmt::format("cannot be replaced: {}", why));
   }
 }
 

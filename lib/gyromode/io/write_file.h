@@ -6,7 +6,7 @@
 namespace gyromode::io {
 
 /// Writes `content` to `file` so that an existing file is replaced only by a complete one: beside it first, then renamed.
-/// Throws InputError where the place cannot be written.
+/// Throws Unreadable where the place cannot be written.
 void write_file(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace gyromode::io

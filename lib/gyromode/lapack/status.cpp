@@ -1,5 +1,7 @@
 #include "gyromode/lapack/status.h"
 
+#include "gyromode/base/error.h"
+
 #include <fmt/format.h>
 #include <lapacke.h>
 
@@ -24,8 +26,8 @@ Index largest_order(double a, double b, double c) {
 void require_success(int info, std::string_view routine, std::string_view meaning) {
   if (info == 0) return;
   if (info == LAPACK_WORK_MEMORY_ERROR || info == LAPACK_TRANSPOSE_MEMORY_ERROR) throw std::bad_alloc();
-  if (info < 0) throw Failure(fmt::format("{}: argument {} was refused (not finite, or out of range)", routine, -info));
-  throw Failure(fmt::format("{}: {} (info = {})", routine, meaning, info));
+  if (info < 0) throw NotConverged(fmt::format("{}: argument {} was refused (not finite, or out of range)", routine, -info));
+  throw NotConverged(fmt::format("{}: {} (info = {})", routine, meaning, info));
 }
 
 }  // namespace gyromode::lapack

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/lapack/types.h"
+#include "gyromode/base/types.h"
 
 namespace gyromode::lapack {
 
@@ -19,7 +19,7 @@ double symmetric_norm(const MatrixView& a);
 /// All eigenvalues only, ascending.
 Vector symmetric_eigenvalues(Matrix a);
 
-/// A V = B V diag(values), VᵀBV = 1, B positive definite (dsygvd). Throws Failure where B is not.
+/// A V = B V diag(values), VᵀBV = 1, B positive definite (dsygvd). Throws NotConverged where B is not.
 SymmetricEigen symmetric_definite_eigen(Matrix a, Matrix b);
 
 }  // namespace gyromode::lapack

@@ -1,13 +1,13 @@
 #include "gyromode/lapack/triangular.h"
 
 #include "gyromode/lapack/multiply.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/lapack/status.h"
 
 #include <cblas.h>
 #include <lapacke.h>
 
-#include <Eigen/QR>
-
+#include <utility>
 #include <vector>
 
 namespace gyromode::lapack {
@@ -39,6 +39,14 @@ std::optional<Index> cholesky(MatrixSpan a) {
   }
   for (Index j = 1; j < n; ++j) a.col(j).head(j).setZero();
   return std::nullopt;
+}
+
+Cholesky::Cholesky(Matrix a) : l_(std::move(a)), positive_(!cholesky(l_)) {}
+
+Matrix Cholesky::solve(Matrix b) const {
+  solve_lower(l_, b);
+  solve_lower_transposed(l_, b);
+  return b;
 }
 
 double reciprocal_condition(const MatrixView& l, double norm) {
@@ -77,8 +85,7 @@ Matrix orthogonal_completion(const MatrixView& a) {
   const Index n = a.rows();
   Matrix q = Matrix::Identity(n, n);
   if (a.cols() == 0 || n == 0) return q;
-  Eigen::HouseholderQR<Matrix> qr(a);
-  return qr.householderQ() * q;
+  return small::orthogonal_factor(a);
 }
 
 Matrix orthonormal_columns(Matrix a) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/lapack/types.h"
+#include "gyromode/base/types.h"
 
 #include <optional>
 
@@ -9,6 +9,23 @@ namespace gyromode::lapack {
 /// Cholesky factorisation A = L Lᵀ of a symmetric matrix (n × n, lower triangle read); A is overwritten by L, zeros above.
 /// Returns nothing where A is positive definite, else the position of the first pivot that is not positive (dpotrf).
 std::optional<Index> cholesky(MatrixSpan a);
+
+/// A = L Lᵀ kept for what is asked of it later.
+class Cholesky {
+ public:
+  /// Lower triangle read.
+  explicit Cholesky(Matrix a);
+
+  /// Whether A is positive definite; if not, nothing else may be asked.
+  bool positive() const { return positive_; }
+  const Matrix& lower() const { return l_; }
+  /// A⁻¹b.
+  Matrix solve(Matrix b) const;
+
+ private:
+  Matrix l_;
+  bool positive_;
+};
 
 /// Reciprocal condition number (1-norm) of A = L Lᵀ whose 1-norm is `norm` (dpocon).
 double reciprocal_condition(const MatrixView& l, double norm);
@@ -35,7 +52,7 @@ Matrix orthogonal_completion(const MatrixView& a);
 /// Orthonormal columns (n × r) that span those of `a` (n × r, r ≤ n, full rank; dgeqrf, dorgqr).
 Matrix orthonormal_columns(Matrix a);
 
-/// A⁻¹ b, A n × n general, b n × m (dgesv). Throws Failure where A is singular to the last bit.
+/// A⁻¹ b, A n × n general, b n × m (dgesv). Throws NotConverged where A is singular to the last bit.
 Matrix solve_general(Matrix a, Matrix b);
 
 }  // namespace gyromode::lapack

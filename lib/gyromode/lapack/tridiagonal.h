@@ -2,7 +2,7 @@
 
 #include "gyromode/lapack/reflectors.h"
 #include "gyromode/lapack/symmetric.h"
-#include "gyromode/lapack/types.h"
+#include "gyromode/base/types.h"
 
 namespace gyromode::lapack {
 
@@ -10,7 +10,7 @@ namespace gyromode::lapack {
 /// make the vectors unnecessary, and the reflectors are applied in wider panels than dormtr's, which takes a fifth off the whole at n = 1000.
 class Tridiagonal {
  public:
-  /// Throws Failure where A is not finite.
+  /// Throws NotConverged where A is not finite.
   explicit Tridiagonal(Matrix a);
 
   Index size() const { return diagonal_.size(); }

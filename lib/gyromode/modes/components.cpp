@@ -1,5 +1,6 @@
 #include "gyromode/modes/components.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/certificate/polish.h"
 #include "gyromode/dense/own_scale.h"
 
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
 
@@ -33,7 +33,7 @@ SolvedComponent certified(Impedance impedance, dense::Spectrum spectrum) {
 double worst_residual(const SolvedComponent& c) {
   double worst = 0;
   for (const Vector* residuals : {&c.assessment.own_residual, &c.assessment.unstable.own_residual}) {
-    for (const double r : *residuals) worst = r <= worst ? worst : std::isfinite(r) ? r : std::numeric_limits<double>::infinity();
+    for (const double r : *residuals) worst = r <= worst ? worst : std::isfinite(r) ? r : infinity;
   }
   return worst;
 }
@@ -46,7 +46,7 @@ void to_given_units(SolvedComponent& c) {
 
 // What a certificate will ask for: the index balance closed and residuals at rounding.
 bool convincing(const SolvedComponent& c) {
-  const double limit = 30 * static_cast<double>(std::max<Index>(c.spectrum.size(), 2)) * std::numeric_limits<double>::epsilon();
+  const double limit = solver_residual(c.spectrum.size());
   return c.verdict.balance.closed && worst_residual(c) <= limit;
 }
 

@@ -2,7 +2,7 @@
 
 #include "gyromode/certificate/verdict.h"
 #include "gyromode/dense/solve.h"
-#include "gyromode/modes/result.h"
+#include "gyromode/spectrum/result.h"
 
 #include <vector>
 

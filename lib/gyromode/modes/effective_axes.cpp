@@ -1,7 +1,7 @@
 #include "gyromode/modes/effective_axes.h"
 
 #include "gyromode/modes/spacecraft.h"
-#include "gyromode/modes/spacecraft_solution.h"
+#include "gyromode/modes/spacecraft_spectrum.h"
 #include "gyromode/structure/realify.h"
 
 namespace gyromode {

@@ -1,8 +1,9 @@
 #include "gyromode/modes/keep.h"
 
+#include "gyromode/dense/inertia.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/modes/local_modes.h"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -73,7 +74,7 @@ ReducedImpedance reduced_impedance(const System& system, const std::vector<Index
       r.kept.margin = 0;
       return r;
     }
-    const ComplexMatrix condensed = border.adjoint() * internal.partialPivLu().solve(border);
+    const ComplexMatrix condensed = border.adjoint() * small::solve(internal, border);
     r.reduced -= 0.5 * (condensed + condensed.adjoint());
   }
   r.kept = inertia(r.reduced);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gyromode/modes/modes.h"
+#include "gyromode/spectrum/inertia.h"
 
 namespace gyromode {
 

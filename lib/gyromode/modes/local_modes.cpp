@@ -1,42 +1,35 @@
 #include "gyromode/modes/local_modes.h"
 
+#include "gyromode/base/rounding.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/modes/shape.h"
 #include "gyromode/system/scale.h"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace gyromode {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double farthest_movement = 1e-8;
 constexpr double worth_a_look = 1e-6;  // of b in an equilibrated shape of length 1: more is neither rest nor rounding, and is not looked at
 
-double rounding(Index n) { return 30 * static_cast<double>(std::max<Index>(n, 2)) * epsilon; }
-
-ComplexMatrix orthonormal(const ComplexMatrix& a) { return Eigen::HouseholderQR<ComplexMatrix>(a).householderQ() * ComplexMatrix::Identity(a.rows(), a.cols()); }
 
 // One step of inverse iteration on CᴴC, orthogonal after each half: the span of V and W turns to the smallest singular values of C. Of that, the part beside W.
 ComplexMatrix turned_to_null(const ComplexMatrix& c, const ComplexMatrix& v, const ComplexMatrix& w) {
   ComplexMatrix both(v.rows(), v.cols() + w.cols());
   both << v, w;
-  ComplexMatrix r = Eigen::HouseholderQR<ComplexMatrix>(c).matrixQR().topRows(c.cols()).triangularView<Eigen::Upper>();
+  ComplexMatrix r = small::qr(c).r;
   const double least = epsilon * r.cwiseAbs().maxCoeff();
   for (Index i = 0; i < r.cols(); ++i) {
     if (!(std::abs(r(i, i)) > least)) r(i, i) = least;
   }
-  const ComplexMatrix half = orthonormal(r.adjoint().triangularView<Eigen::Lower>().solve(both));
-  const ComplexMatrix turned = orthonormal(r.triangularView<Eigen::Upper>().solve(half));
+  const ComplexMatrix half = small::orthonormal_columns(ComplexMatrix(r.adjoint().triangularView<Eigen::Lower>().solve(both)));
+  const ComplexMatrix turned = small::orthonormal_columns(ComplexMatrix(r.triangularView<Eigen::Upper>().solve(half)));
   if (w.cols() == 0) return turned;
-  return turned * Eigen::JacobiSVD<ComplexMatrix>(w.adjoint() * turned, Eigen::ComputeFullV).matrixV().rightCols(v.cols());
+  return turned * small::singular_value_decomposition(w.adjoint() * turned).v.rightCols(v.cols());
 }
 
 }  // namespace
@@ -108,43 +101,43 @@ ComplexMatrix ComponentSeenFrom::scaled_columns(const Scales& s, double omega) c
 
 // The local modes of `v` next to ω, taken out of it; ω follows the smallest singular value to its root.
 std::vector<ComponentSeenFrom::Local> ComponentSeenFrom::take_null_vectors(const Scales& s, Subspace& v, double& omega) const {
-  const auto decompose = [&](double at) { return Eigen::BDCSVD<ComplexMatrix>(s.rows.asDiagonal() * v.image(at), Eigen::ComputeThinV); };
+  const auto decompose = [&](double at) { return small::right_singular(s.rows.asDiagonal() * v.image(at)); };
   const double from = omega;
   for (int step = 0; step < 2; ++step) {
-    v.turn(decompose(omega).matrixV());
+    v.turn(decompose(omega).v);
     const double next = v.frequency(omega);
     if (!(std::abs(next - from) <= worth_a_look * from)) return {};  // of another mode
     omega = next;
   }
-  const Eigen::BDCSVD<ComplexMatrix> last = decompose(omega);
-  v.turn(last.matrixV());
-  v.smallest = last.singularValues().minCoeff();
-  const double limit = rounding(static_cast<Index>(order_.size()));
-  const Index nullity = (last.singularValues().array() <= limit).count(), rest = v.v.cols() - nullity;
+  const small::Svd last = decompose(omega);
+  v.turn(last.v);
+  v.smallest = last.values.minCoeff();
+  const double limit = solver_residual(static_cast<Index>(order_.size()));
+  const Index nullity = (last.values.array() <= limit).count(), rest = v.v.cols() - nullity;
   if (nullity == 0) return {};
-  const double unexplained = last.singularValues()(rest) + epsilon * static_cast<double>(order_.size());
+  const double unexplained = last.values(rest) + epsilon * static_cast<double>(order_.size());
   Subspace null{v.v.rightCols(nullity), v.k.rightCols(nullity), v.g.rightCols(nullity), v.m.rightCols(nullity), 0};
   v = {v.v.leftCols(rest).eval(), v.k.leftCols(rest).eval(), v.g.leftCols(rest).eval(), v.m.leftCols(rest).eval(), 1};
-  const Eigen::SelfAdjointEigenSolver<ComplexMatrix> forms(null.form(omega));
-  null.turn(forms.eigenvectors());
+  const auto forms = small::hermitian_eigen(null.form(omega));
+  null.turn(forms.vectors);
   std::vector<Local> found;
   for (Index k = 0; k < nullity; ++k) {
-    if (!(unexplained <= farthest_movement * omega * std::abs(forms.eigenvalues()(k)))) continue;
+    if (!(unexplained <= farthest_movement * omega * std::abs(forms.values(k)))) continue;
     ComplexVector x = ComplexVector::Zero(static_cast<Index>(order_.size()));
     x.tail(internal()) = null.v.col(k);
-    found.push_back({omega, forms.eigenvalues()(k), std::move(x)});
+    found.push_back({omega, forms.values(k), std::move(x)});
   }
   return found;
 }
 
 // Candidates are the combinations of the shapes that leave b at rest as far as shapes can tell, all of them where the modes are not known well; C̃ decides.
 std::vector<ComponentSeenFrom::Local> ComponentSeenFrom::locals(const Scales& s, const ComplexMatrix& shapes, const std::vector<Mode*>& near) const {
-  const Eigen::JacobiSVD<ComplexMatrix> svd(shapes.topRows(kept_), Eigen::ComputeFullV);
+  const small::Svd svd = small::singular_value_decomposition(shapes.topRows(kept_));
   const bool trusted = std::all_of(near.begin(), near.end(), [](const Mode* m) { return m->error_bound <= farthest_movement * m->omega; });
-  const Index resting = shapes.cols() - (trusted ? (svd.singularValues().array() > worth_a_look).count() : 0);
+  const Index resting = shapes.cols() - (trusted ? (svd.values.array() > worth_a_look).count() : 0);
   if (resting == 0) return {};
-  const ComplexMatrix inside = s.whole.tail(internal()).asDiagonal() * (shapes.bottomRows(internal()) * svd.matrixV().rightCols(resting));
-  const ComplexMatrix basis = orthonormal(s.internal.cwiseInverse().asDiagonal() * inside);
+  const ComplexMatrix inside = s.whole.tail(internal()).asDiagonal() * (shapes.bottomRows(internal()) * svd.v.rightCols(resting));
+  const ComplexMatrix basis = small::orthonormal_columns(ComplexMatrix(s.internal.cwiseInverse().asDiagonal() * inside));
   Subspace v = spanned(s, basis);
   ComplexMatrix taken(internal(), 0);
   std::vector<Local> all;
@@ -191,14 +184,14 @@ void ComponentSeenFrom::assign(const Scales& s, const ComplexMatrix& shapes, con
     const ComplexVector x = s.whole.asDiagonal() * shapes.col(k);
     beside.col(k) = s.whole.cwiseInverse().asDiagonal() * conjugate_part(x, modes[static_cast<std::size_t>(k)]->omega, all);
   }
-  const Eigen::ColPivHouseholderQR<ComplexMatrix> largest_first(beside);
-  const auto order = largest_first.colsPermutation().indices();
+  const std::vector<Index> order = small::largest_columns_first(beside);
   const Index others = shapes.cols() - static_cast<Index>(mine.size());
   for (Index k = 0; k < others; ++k) {
-    Mode& m = *modes[static_cast<std::size_t>(order(k))];
-    if (beside.col(order(k)).norm() > worth_a_look) m.shape = in_system(s.whole.asDiagonal() * beside.col(order(k)), m.shape.size());
+    Mode& m = *modes[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])];
+    const auto rest = beside.col(order[static_cast<std::size_t>(k)]);
+    if (rest.norm() > worth_a_look) m.shape = in_system(s.whole.asDiagonal() * rest, m.shape.size());
   }
-  std::vector<int> places(order.data() + others, order.data() + order.size());
+  std::vector<Index> places(order.begin() + others, order.end());
   std::sort(places.begin(), places.end());
   for (std::size_t k = 0; k < mine.size(); ++k) {
     Mode& m = *modes[static_cast<std::size_t>(places[k])];

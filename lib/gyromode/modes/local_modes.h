@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/modes/result.h"
+#include "gyromode/spectrum/result.h"
 #include "gyromode/structure/quadrature.h"
 #include "gyromode/system/system.h"
 

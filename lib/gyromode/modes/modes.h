@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/dense/spectrum.h"
-#include "gyromode/modes/result.h"
+#include "gyromode/spectrum/result.h"
 
 namespace gyromode {
 
@@ -14,7 +14,7 @@ struct ModesOptions {
 };
 
 /// All modes of a dense system in a window, with stability verdict and coverage (theory §1, §3–§5).
-/// Throws std::invalid_argument for a window that is none, dense::MethodDoesNotApply, lapack::Failure, lapack::TooLarge.
+/// Throws InvalidArgument for a window that is none, NotApplicable, NotConverged, TooLarge.
 ModesResult find_modes(const System& system, const ModesOptions& options = {});
 ModesResult find_modes(const FirstOrderSystem& system, const ModesOptions& options = {});
 

@@ -1,8 +1,7 @@
 #include "gyromode/modes/spacecraft_shapes.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/modes/shape.h"
-
-#include <limits>
 
 namespace gyromode {
 
@@ -23,9 +22,9 @@ Eigen::Vector3cd rotated(const Eigen::Vector3cd& theta, const Eigen::Vector3d& p
   return {theta(1) * p(2) - theta(2) * p(1), theta(2) * p(0) - theta(0) * p(2), theta(0) * p(1) - theta(1) * p(0)};
 }
 
-ComplexVector body_shape(const SpacecraftSolution& s, const Root& r) {
+ComplexVector body_shape(const SpacecraftSpectrum& s, const Root& r) {
   if (body_at_rest(r)) return ComplexVector::Zero(6);
-  if (!SpacecraftSolution::is_tilt(r)) return s.impedance().body_motion(r.omega, r.vector);
+  if (!r.rigid) return s.impedance().body_motion(r.omega, r.vector);
   ComplexVector tilt = ComplexVector::Zero(6);
   tilt(3) = 1;
   tilt(4) = Complex(0, 1);
@@ -33,12 +32,12 @@ ComplexVector body_shape(const SpacecraftSolution& s, const Root& r) {
 }
 
 // Displacement ζ + θ × p of every point, and what its appendage adds; in the tilt none adds any.
-std::vector<ComplexMatrix> field_of(const SpacecraftSolution& s, const Root& r, const ComplexVector& q) {
+std::vector<ComplexMatrix> field_of(const SpacecraftSpectrum& s, const Root& r, const ComplexVector& q) {
   const double length = s.impedance().unit_length();
   std::vector<ComplexMatrix> all;
   for (const auto& part : s.impedance().parts()) {
     std::vector<ComplexMatrix> relative;
-    if (!SpacecraftSolution::is_tilt(r)) {
+    if (!r.rigid) {
       relative = part.appendage->displaced(r.omega, s.impedance().body_vector(r.omega, r.vector), r.vector.segment(part.first, part.appendage->coordinates()));
     }
     const std::vector<Outline> lines = part.appendage->outlines();
@@ -54,9 +53,9 @@ std::vector<ComplexMatrix> field_of(const SpacecraftSolution& s, const Root& r, 
 
 }  // namespace
 
-bool body_at_rest(const Root& r) { return r.vector.head<body_coordinates>().norm() <= 64 * std::numeric_limits<double>::epsilon() * r.vector.norm(); }
+bool body_at_rest(const Root& r) { return r.vector.head<body_coordinates>().norm() <= 64 * epsilon * r.vector.norm(); }
 
-void add_shape(const SpacecraftSolution& s, const Root& r, Mode& mode) {
+void add_shape(const SpacecraftSpectrum& s, const Root& r, Mode& mode) {
   const ComplexVector q = body_shape(s, r);
   mode.field = field_of(s, r, q);
   mode.shape = normalised(q);
@@ -64,7 +63,7 @@ void add_shape(const SpacecraftSolution& s, const Root& r, Mode& mode) {
   for (ComplexMatrix& line : mode.field) line /= scale;
 }
 
-std::vector<ModelOutline> outlines_of(const SpacecraftSolution& s) {
+std::vector<ModelOutline> outlines_of(const SpacecraftSpectrum& s) {
   std::vector<ModelOutline> all;
   for (const auto& part : s.impedance().parts()) {
     for (const Outline& o : part.appendage->outlines()) {

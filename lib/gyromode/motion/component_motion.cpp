@@ -1,17 +1,15 @@
 #include "gyromode/motion/component_motion.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/modes/shape.h"
 #include "gyromode/motion/time_course.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 State minus(State a, const State& b) { return {a.q - b.q, a.qdot - b.qdot}; }
 State plus(State a, const State& b) { return {a.q + b.q, a.qdot + b.qdot}; }
@@ -36,7 +34,7 @@ State ComponentMotion::project(const State& w, Split& s) const {
   s.modes = ComplexVector::Zero(modal_.size());
   s.zero = Vector::Zero(zero_.size());
   State left = w;
-  double before = std::numeric_limits<double>::infinity();
+  double before = infinity;
   for (int pass = 0; pass < passes; ++pass) {
     const ComplexVector more = modal_.amplitudes(matrices_, left);
     const Vector more_zero = zero_.coordinates(matrices_, left);

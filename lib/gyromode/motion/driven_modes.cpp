@@ -1,19 +1,16 @@
 #include "gyromode/motion/driven_modes.h"
 
+#include "gyromode/base/rounding.h"
+#include "gyromode/lapack/triangular.h"
 #include "gyromode/motion/zero_part.h"
 #include "gyromode/system/scale.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 Driven judged(bool met, double participation, double resolution) { return !met ? Driven::no : participation > resolution ? Driven::yes : Driven::undecided; }
 
@@ -102,7 +99,10 @@ std::string_view word(Driven d) {
 std::vector<DrivenMode> driven_modes(const SolvedSystem& solved, const UnitMasses& units, const Vector& given) {
   const double largest = given.size() > 0 ? given.cwiseAbs().maxCoeff() : 0;
   const Vector force = given / power_of_two_near(largest);  // its size does not matter; squares of it are taken
-  const auto size = [](const Vector& f, const Matrix& mass) { return std::sqrt(f.dot(Eigen::LLT<Matrix>(mass).solve(f))); };
+  const auto size = [](Vector f, const Matrix& mass) {  // √(fᵀM⁻¹f)
+    lapack::solve_lower(lapack::Cholesky(mass).lower(), f);
+    return f.norm();
+  };
   const double whole = size(force, units.system.mass());
   std::vector<DrivenMode> all;
   std::optional<DrivenMode> rest;

@@ -1,6 +1,6 @@
 #include "gyromode/motion/energy_norm.h"
 
-#include <Eigen/Eigenvalues>
+#include "gyromode/lapack/symmetric.h"
 
 #include <algorithm>
 
@@ -16,28 +16,31 @@ double shift(const ComponentMatrices& m, const SolvedComponent& c) {
     const double lowest = s.omega.size() > 0 ? s.omega(0) : c.impedance.typical_frequency();
     return lowest > 0 ? lowest * lowest : 1;
   }
-  const Vector squares = Eigen::GeneralizedSelfAdjointEigenSolver<Matrix>(m.stiffness, m.mass, Eigen::EigenvaluesOnly).eigenvalues();
+  const Vector squares = lapack::symmetric_definite_eigen(m.stiffness, m.mass).values;
   return -2 * squares(0);
 }
 
 }  // namespace
 
 EnergyNorm::EnergyNorm(const ComponentMatrices& m, const SolvedComponent& component) : mass_(m.mass), stiffness_(m.stiffness + shift(m, component) * m.mass) {
-  if (stiffness_.info() == Eigen::Success) return;
+  if (stiffness_.positive()) return;
   // K is positive by rounding only: its largest frequency serves all.
   const double typical = component.impedance.typical_frequency();
-  stiffness_.compute((typical > 0 ? typical * typical : 1) * m.mass);
+  stiffness_ = lapack::Cholesky((typical > 0 ? typical * typical : 1) * m.mass);
 }
 
 Vector EnergyNorm::coordinates(const State& w) const {
   Vector x(2 * w.q.size());
-  x << stiffness_.matrixU() * w.q, mass_.matrixU() * w.qdot;
+  x << stiffness_.lower().transpose() * w.q, mass_.lower().transpose() * w.qdot;
   return x;
 }
 
 State EnergyNorm::state(const Vector& x) const {
   const Index n = x.size() / 2;
-  return {stiffness_.matrixU().solve(x.head(n)), mass_.matrixU().solve(x.tail(n))};
+  State w{x.head(n), x.tail(n)};
+  lapack::solve_lower_transposed(stiffness_.lower(), w.q);
+  lapack::solve_lower_transposed(mass_.lower(), w.qdot);
+  return w;
 }
 
 }  // namespace gyromode

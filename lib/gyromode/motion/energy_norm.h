@@ -1,8 +1,7 @@
 #pragma once
 
+#include "gyromode/lapack/triangular.h"
 #include "gyromode/motion/modal_part.h"
-
-#include <Eigen/Cholesky>
 
 namespace gyromode {
 
@@ -24,7 +23,7 @@ class EnergyNorm {
   Matrix accelerations(const Matrix& forces) const { return mass_.solve(forces); }
 
  private:
-  Eigen::LLT<Matrix> mass_, stiffness_;
+  lapack::Cholesky mass_, stiffness_;
 };
 
 }  // namespace gyromode

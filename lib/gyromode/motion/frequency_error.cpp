@@ -1,10 +1,10 @@
 #include "gyromode/motion/frequency_error.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/lapack/multiply.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
 
@@ -37,7 +37,7 @@ Matrix rounding(const ComponentMatrices& m, const ComplexMatrix& x, const Vector
   Matrix terms = lapack::multiply(m.stiffness.cwiseAbs(), size);
   terms += lapack::multiply(m.gyroscopic.cwiseAbs(), size) * omega.asDiagonal();
   terms += lapack::multiply(m.mass.cwiseAbs(), size) * omega.cwiseAbs2().asDiagonal();
-  return std::numeric_limits<double>::epsilon() * lapack::multiply_tn(size, terms);
+  return epsilon * lapack::multiply_tn(size, terms);
 }
 
 }  // namespace

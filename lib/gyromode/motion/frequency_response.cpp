@@ -1,5 +1,6 @@
 #include "gyromode/motion/frequency_response.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/lapack/indefinite.h"
 #include "gyromode/system/scale.h"
 
@@ -7,18 +8,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace gyromode {
 
 namespace {
 
 void require(const Vector& force, const Vector& grid, Index n) {
-  if (force.size() != n) throw std::invalid_argument(fmt::format("force: {} numbers where the system has {} coordinates", force.size(), n));
-  if (!force.allFinite() || !grid.allFinite()) throw std::invalid_argument("force and grid must be finite");
+  if (force.size() != n) throw InvalidArgument(fmt::format("force: {} numbers where the system has {} coordinates", force.size(), n));
+  if (!force.allFinite() || !grid.allFinite()) throw InvalidArgument("force and grid must be finite");
   for (Index k = 0; k < grid.size(); ++k) {
-    if (!(grid(k) >= 0)) throw std::invalid_argument(fmt::format("grid: a frequency of {:g} where ω ≥ 0 was expected", grid(k)));
-    if (k > 0 && !(grid(k) > grid(k - 1))) throw std::invalid_argument(fmt::format("grid: {:.17g} after {:.17g} where ascending frequencies were expected", grid(k), grid(k - 1)));
+    if (!(grid(k) >= 0)) throw InvalidArgument(fmt::format("grid: a frequency of {:g} where ω ≥ 0 was expected", grid(k)));
+    if (k > 0 && !(grid(k) > grid(k - 1))) throw InvalidArgument(fmt::format("grid: {:.17g} after {:.17g} where ascending frequencies were expected", grid(k), grid(k - 1)));
   }
 }
 

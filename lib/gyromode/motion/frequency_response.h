@@ -27,7 +27,7 @@ struct FrequencyResponse {
 
 /// H(ω)⁻¹f on a grid (ascending, ω ≥ 0, rad per unit of time), by one factorisation a point. With `resolve` points at ω_s(1 ± 10⁻²) … ω_s(1 ± 10⁻⁵) are put beside every mode ω_s in range that the
 /// force drives.
-/// Throws std::invalid_argument where sizes do not fit, the grid does not ascend, or a number is not finite.
+/// Throws InvalidArgument where sizes do not fit, the grid does not ascend, or a number is not finite.
 FrequencyResponse frequency_response(const System& system, const Vector& force, const Vector& grid, bool resolve = true);
 
 }  // namespace gyromode

@@ -1,23 +1,14 @@
 #include "gyromode/motion/remainder.h"
 
+#include "gyromode/base/rounding.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/motion/time_course.h"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace gyromode {
-
-namespace {
-
-Matrix orthonormal(const Matrix& a) { return Eigen::HouseholderQR<Matrix>(a).householderQ() * Matrix::Identity(a.rows(), a.cols()); }
-
-}  // namespace
 
 State stripped(const ComponentMatrices& m, const ModalPart& modal, const ZeroPart& zero, State w) {
   for (int pass = 0; pass < 2; ++pass) {
@@ -42,7 +33,7 @@ Remainder::Remainder(const ComponentMatrices& m, const EnergyNorm& norm, const M
     for (double& x : basis_.reshaped()) x = normal(bits);
     for (int pass = 0; pass < 2; ++pass) {  // the second takes out what an oblique projection left of the first
       for (auto x : basis_.colwise()) x = norm.coordinates(stripped(m, modal, zero, norm.state(x)));
-      basis_ = orthonormal(basis_);
+      basis_ = small::orthonormal_columns(basis_);
     }
   }
   constexpr int corrections = 4;
@@ -52,7 +43,7 @@ Remainder::Remainder(const ComponentMatrices& m, const EnergyNorm& norm, const M
     const Correction c = correction(m, modal, a - basis_ * generator_);
     if (step > 0 && !(c.size < 0.5 * breach_)) break;
     breach_ = c.size;
-    basis_ = orthonormal(basis_ - c.basis);
+    basis_ = small::orthonormal_columns(Matrix(basis_ - c.basis));
   }
   generator_ = basis_.transpose() * image(m);
   take_rounding(m);
@@ -79,18 +70,18 @@ Remainder::Correction Remainder::correction(const ComponentMatrices& m, const Mo
     breach.col(k) -= norm_->coordinates(modal.state(r.col(k)));
   }
   const double rest = breach.norm() / (rate > 0 ? rate : 1);
-  const Eigen::ComplexSchur<ComplexMatrix> schur(generator_.cast<Complex>());
-  ComplexMatrix z = r * schur.matrixU();
+  const small::Schur schur = small::schur(generator_.cast<Complex>());
+  ComplexMatrix z = r * schur.u;
   for (Index s = 0; s < modal.size(); ++s) {
-    ComplexMatrix shifted = -schur.matrixT();
+    ComplexMatrix shifted = -schur.t;
     shifted.diagonal().array() += Complex(0, modal.omega()(s));
     z.row(s) = shifted.triangularView<Eigen::Upper>().solve<Eigen::OnTheRight>(z.row(s)).eval();
   }
-  z = z * schur.matrixU().adjoint();
+  z = z * schur.u.adjoint();
   Correction c{Matrix::Zero(basis_.rows(), d), 0};
   for (Index k = 0; k < d; ++k) c.basis.col(k) = norm_->coordinates(modal.state(z.col(k)));
   c.size = std::max(c.basis.norm(), rest);
-  if (!c.basis.allFinite()) c = {Matrix::Zero(basis_.rows(), d), std::numeric_limits<double>::infinity()};
+  if (!c.basis.allFinite()) c = {Matrix::Zero(basis_.rows(), d), infinity};
   return c;
 }
 
@@ -103,7 +94,7 @@ void Remainder::take_rounding(const ComponentMatrices& m) {
     v.col(k) = w.qdot.cwiseAbs();
   }
   const Matrix terms = v.transpose() * (m.gyroscopic.cwiseAbs() * v + 2 * m.stiffness.cwiseAbs() * q);
-  rate_error_ = std::numeric_limits<double>::epsilon() * (terms.norm() + generator_.norm());
+  rate_error_ = epsilon * (terms.norm() + generator_.norm());
 }
 
 // (A² + ω²)² = 0 with A = S + N, S² = −ω², N² = 0, SN = NS: then A² + ω² = 2SN, so N = −A(A² + ω²)/(2ω²).
@@ -111,7 +102,7 @@ void Remainder::recognise_double_root() {
   constexpr double coinciding = 1e-5;  // roots of a double pair are apart by √ε
   const Index d = generator_.rows();
   if (d < 4 || d % 2 != 0) return;
-  const ComplexVector roots = Eigen::EigenSolver<Matrix>(generator_, false).eigenvalues();
+  const ComplexVector roots = small::eigenvalues(generator_);
   const Matrix square = generator_ * generator_;
   const double omega2 = -square.trace() / static_cast<double>(d);
   if (!(omega2 > 0)) return;
@@ -129,7 +120,7 @@ Matrix Remainder::exponential(double t) const {
     const Matrix one = Matrix::Identity(size(), size());
     return (std::cos(double_root_ * t) * one + std::sin(double_root_ * t) / double_root_ * semisimple_) * (one + t * nilpotent_);
   }
-  return (generator_ * t).exp();
+  return small::exponential(generator_ * t);
 }
 
 Vector Remainder::moved(const Vector& y, double t) const { return size() == 0 ? y : Vector(exponential(t) * y); }
@@ -148,7 +139,7 @@ Vector Remainder::driven(const Vector& g, double nu, double t) const {
   a.col(d).head(d) = g;
   a(d, d + 1) = -nu;
   a(d + 1, d) = nu;
-  return Matrix((a * t).exp()).col(d).head(d);
+  return small::exponential(a * t).col(d).head(d);
 }
 
 }  // namespace gyromode

@@ -1,21 +1,21 @@
 #include "gyromode/motion/response.h"
 
+#include "gyromode/base/error.h"
+#include "gyromode/lapack/triangular.h"
 #include "gyromode/motion/component_motion.h"
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace gyromode {
 
 namespace {
 
 void require(const Vector& v, Index n, const char* what) {
-  if (v.size() != n) throw std::invalid_argument(fmt::format("{}: {} numbers where the system has {} coordinates", what, v.size(), n));
-  if (!v.allFinite()) throw std::invalid_argument(fmt::format("{}: not finite", what));
+  if (v.size() != n) throw InvalidArgument(fmt::format("{}: {} numbers where the system has {} coordinates", what, v.size(), n));
+  if (!v.allFinite()) throw InvalidArgument(fmt::format("{}: not finite", what));
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ Response::Response(const System& system, const State& initial, const std::vector
   const Index n = system.size();
   require(initial.q, n, "initial displacements");
   require(initial.qdot, n, "initial velocities");
-  const Eigen::LLT<Matrix> mass(units_.system.mass());
+  const lapack::Cholesky mass(units_.system.mass());
   State start = in_units(initial);
   std::vector<Vector> pushes;
   std::vector<double> frequencies;

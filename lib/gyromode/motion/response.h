@@ -44,7 +44,7 @@ History history_of(const Motion& motion, Index coordinates, const Vector& times)
 /// linear in t; growing motions and double roots by the exponential on their own invariant subspace.
 class Response {
  public:
-  /// Throws std::invalid_argument where sizes do not fit or a number is not finite, and what the modes throw.
+  /// Throws InvalidArgument where sizes do not fit or a number is not finite, and what the modes throw.
   Response(const System& system, const State& initial, const std::vector<Force>& forces = {});
   ~Response();
   Response(Response&&) noexcept;

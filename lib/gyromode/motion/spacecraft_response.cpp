@@ -1,9 +1,9 @@
 #include "gyromode/motion/spacecraft_response.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/modes/shape.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace gyromode {
 
@@ -44,14 +44,14 @@ struct SpacecraftResponse::Setup {
   std::vector<Force> on_twin, on_centre;
 
   Setup(const Spacecraft& s, const State& initial, const std::vector<Force>& forces, const Mesh& mesh) : twin(twin_of(s, mesh)), centre(free_mass(s.rigid().mass, s.spin())) {
-    if (initial.q.size() != 6 || initial.qdot.size() != 6) throw std::invalid_argument("a spacecraft starts from six displacements and six rates: zeta1 … theta3");
+    if (initial.q.size() != 6 || initial.qdot.size() != 6) throw InvalidArgument("a spacecraft starts from six displacements and six rates: zeta1 … theta3");
     const Index n = twin.system.size();
     about = {Vector::Zero(n), Vector::Zero(n)};
     about.q.head<3>() = initial.q.tail<3>();
     about.qdot.head<3>() = initial.qdot.tail<3>();
     of_centre = {initial.q.head<3>() - twin.body_displacement * about.q, initial.qdot.head<3>() - twin.body_displacement * about.qdot};
     for (const Force& f : forces) {
-      if (f.amplitude.size() != 6) throw std::invalid_argument("a force on a spacecraft has six components: zeta1 … theta3");
+      if (f.amplitude.size() != 6) throw InvalidArgument("a force on a spacecraft has six components: zeta1 … theta3");
       Force own = f, whole = f;
       own.amplitude = twin.body_displacement.transpose() * f.amplitude.head<3>();
       own.amplitude.head<3>() += f.amplitude.tail<3>();

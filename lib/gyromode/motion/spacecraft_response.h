@@ -13,7 +13,7 @@ namespace gyromode {
 class SpacecraftResponse {
  public:
   /// `initial` has six displacements and six rates; `forces` act on the six (forces at P along ζ, torques along θ). The points report their displacement ζ + θ × p + u.
-  /// Throws std::invalid_argument for sizes and points that do not fit.
+  /// Throws InvalidArgument for sizes and points that do not fit.
   SpacecraftResponse(const Spacecraft& s, const State& initial, const std::vector<Force>& forces = {}, const std::vector<BoomPoint>& points = {});
   SpacecraftResponse(const Spacecraft& s, const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Mesh& mesh);
 

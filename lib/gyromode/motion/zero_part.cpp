@@ -2,11 +2,10 @@
 
 #include "gyromode/dense/basis.h"
 #include "gyromode/lapack/singular.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/motion/time_course.h"
 #include "gyromode/structure/definiteness.h"
 #include "gyromode/system/scale.h"
-
-#include <Eigen/LU>
 
 namespace gyromode {
 
@@ -28,14 +27,14 @@ Matrix displaced_by_drift(const ComponentMatrices& m, const Matrix& null, const 
   const Index n = m.mass.rows(), r = null.cols();
   if (velocities.cols() == 0) return Matrix(n, 0);
   const Vector d = equilibrating_scale(m.stiffness);
-  const Matrix basis = dense::orthonormal_basis<Matrix>(d.cwiseInverse().asDiagonal() * null);
+  const Matrix basis = dense::orthonormal_basis(Matrix(d.cwiseInverse().asDiagonal() * null));
   Matrix bordered = Matrix::Zero(n + r, n + r);
   bordered.topLeftCorner(n, n) = scaled(m.stiffness, d);
   bordered.topRightCorner(n, r) = basis;
   bordered.bottomLeftCorner(r, n) = basis.transpose();
   Matrix right = Matrix::Zero(n + r, velocities.cols());
   right.topRows(n) = d.asDiagonal() * (-m.gyroscopic * velocities);
-  return d.asDiagonal() * Matrix(bordered.partialPivLu().solve(right).topRows(n));
+  return d.asDiagonal() * Matrix(small::solve(bordered, right).topRows(n));
 }
 
 }  // namespace
@@ -62,8 +61,8 @@ ZeroPart::ZeroPart(const ComponentMatrices& m, Index pairs) {
   b_v.rightCols(k) = velocities;
   const Matrix gram = b_q.transpose() * (m.gyroscopic * b_q + m.mass * b_v) - b_v.transpose() * m.mass * b_q;
   const Vector scale = gram.cwiseAbs().rowwise().maxCoeff().cwiseSqrt().cwiseInverse();
-  const Eigen::FullPivLU<Matrix> lu(Matrix(scale.asDiagonal() * gram * scale.asDiagonal()));
-  if (!scale.allFinite() || !(lu.rcond() > regular)) {
+  const Matrix equilibrated = scale.asDiagonal() * gram * scale.asDiagonal();
+  if (!scale.allFinite() || !(small::reciprocal_condition(equilibrated) > regular)) {
     complete_ = false;
     return;
   }
@@ -71,8 +70,8 @@ ZeroPart::ZeroPart(const ComponentMatrices& m, Index pairs) {
   drifts_ = drifts;
   velocities_ = velocities;
   combination_ = combination;
-  dual_q_ = scale.asDiagonal() * lu.solve(scale.asDiagonal() * b_q.transpose());
-  dual_v_ = scale.asDiagonal() * lu.solve(scale.asDiagonal() * b_v.transpose());
+  dual_q_ = scale.asDiagonal() * small::solve_fully_pivoted(equilibrated, scale.asDiagonal() * b_q.transpose());
+  dual_v_ = scale.asDiagonal() * small::solve_fully_pivoted(equilibrated, scale.asDiagonal() * b_v.transpose());
 }
 
 Vector ZeroPart::coordinates(const ComponentMatrices& m, const State& w) const {

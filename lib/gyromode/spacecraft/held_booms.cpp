@@ -1,11 +1,11 @@
 #include "gyromode/spacecraft/held_booms.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/impedance/converge.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace gyromode {
 
@@ -37,7 +37,7 @@ class Held : public LiftedImpedance {
     appendage_.add(omega, whole, body_coordinates);
     return whole.matrix.bottomRightCorner(size(), size());
   }
-  double rounding(double omega) const override { return std::numeric_limits<double>::epsilon() * (static_cast<double>(size()) + 2 * omega / spin_); }
+  double rounding(double omega) const override { return epsilon * (static_cast<double>(size()) + 2 * omega / spin_); }
 
  private:
   Lifted zero() const {

@@ -1,6 +1,7 @@
 #include "gyromode/spacecraft/spacecraft.h"
 
-#include <Eigen/Eigenvalues>
+#include "gyromode/lapack/small.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -42,7 +43,7 @@ std::optional<Breach> lawful_inertia(const Eigen::Matrix3d& j) {
       }
     }
   }
-  const Eigen::Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(j, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::Vector3d principal = small::symmetric_eigenvalues(j);
   if (!(principal(0) > 0)) return Breach{"inertia", fmt::format("'inertia' must be positive definite: its smallest principal moment is {:.6g} kg m²", principal(0))};
   if (principal(2) > (principal(0) + principal(1)) * (1 + rounding)) {
     return Breach{"inertia", fmt::format("'inertia' must obey the triangle inequality, no principal moment above the sum of the others: {:.10g} > {:.10g} + {:.10g} kg m²",

@@ -1,5 +1,7 @@
 #include "gyromode/spacecraft/spacecraft.h"
 
+#include "gyromode/base/error.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,7 +13,7 @@ namespace {
 template <class Part>
 void require_lawful(const std::vector<Part>& parts, const char* name) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (const auto b = breach_of(parts[i])) throw BrokenPromise(fmt::format("{} {}: {}", name, i + 1, b->law));
+    if (const auto b = breach_of(parts[i])) throw LawBroken(fmt::format("{} {}: {}", name, i + 1, b->law));
   }
 }
 
@@ -19,7 +21,7 @@ void require_lawful(const std::vector<Part>& parts, const char* name) {
 void require_numbers(const MassProperties& p, double spin, const std::string& name) {
   const double square = spin * spin;
   if (std::isfinite(p.mass) && (square * p.first).allFinite() && (square * p.second).allFinite() && p.first.allFinite() && p.second.allFinite() && square > 0) return;
-  throw BrokenPromise(fmt::format("{}: mass {:.6g} kg, or its moments, or their loads at spin {:.6g} rad/s, leave the range of numbers (1e-308 to 1e308): are the units kg, m and rad/s?",
+  throw LawBroken(fmt::format("{}: mass {:.6g} kg, or its moments, or their loads at spin {:.6g} rad/s, leave the range of numbers (1e-308 to 1e308): are the units kg, m and rad/s?",
                                   name, p.mass, spin));
 }
 
@@ -41,10 +43,10 @@ const Labels& Spacecraft::labels() const {
 Spacecraft::Spacecraft(double spin, Body body, std::vector<Cable> cables, std::vector<Beam> beams, std::vector<SpringMass> masses)
     : spin_(spin), body_(std::move(body)), cables_(std::move(cables)), beams_(std::move(beams)), masses_(std::move(masses)) {
   if (!(spin_ > 0) || !std::isfinite(spin_)) {
-    throw BrokenPromise(fmt::format("spin must be above 0: it is {:.6g} rad/s{}", spin_,
+    throw LawBroken(fmt::format("spin must be above 0: it is {:.6g} rad/s{}", spin_,
                                     spin_ < 0 ? " (for the other sense of rotation turn axis 3 around)" : cables_.empty() ? "" : ", and without it no cable is taut"));
   }
-  if (const auto b = breach_of(body_)) throw BrokenPromise(fmt::format("body: {}", b->law));
+  if (const auto b = breach_of(body_)) throw LawBroken(fmt::format("body: {}", b->law));
   require_lawful(cables_, "cable");
   require_lawful(beams_, "beam");
   require_lawful(masses_, "spring mass");
@@ -69,7 +71,7 @@ void Spacecraft::require_equilibrium() const {
   const double square = spin_ * spin_;
   const double across = rigid_.first.head<2>().norm();
   if (across > tolerance * total_first_moment(*this)) {
-    throw BrokenPromise(
+    throw LawBroken(
         fmt::format("steady spin about axis 3 must be an equilibrium: the mass centre is off the axis by ({:.6g}, {:.6g}) m, which leaves a centrifugal force of ({:.6g}, {:.6g}) N "
                     "(balance Σ S (cos α, sin α) + Σ m (x, y) = 0, S = ∫ r dm of each cable)",
                     rigid_.first(0) / rigid_.mass, rigid_.first(1) / rigid_.mass, square * rigid_.first(0), square * rigid_.first(1)));
@@ -77,7 +79,7 @@ void Spacecraft::require_equilibrium() const {
   const Eigen::Matrix3d j = rigid_.inertia();
   const double product = std::hypot(j(0, 2), j(1, 2));
   if (product > tolerance * j(2, 2)) {
-    throw BrokenPromise(
+    throw LawBroken(
         fmt::format("steady spin about axis 3 must be an equilibrium: the products of inertia of the complete satellite are J13 = {:.6g}, J23 = {:.6g} kg m², which leaves a moment of "
                     "({:.6g}, {:.6g}) N m (the body's own J13 must be Σ S h cos α + Σ m x z, and J23 likewise with sin α and y)",
                     j(0, 2), j(1, 2), square * j(1, 2), -square * j(0, 2)));

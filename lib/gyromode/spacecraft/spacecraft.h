@@ -3,7 +3,7 @@
 #include "gyromode/appendage/beam.h"
 #include "gyromode/appendage/cable.h"
 #include "gyromode/appendage/spring_mass.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 
 #include <optional>
 #include <string>
@@ -32,7 +32,7 @@ class Spacecraft {
  public:
   static constexpr double tolerance = 1e-9;  ///< of the mass centre relative to Σ∫r dm, of J13 and J23 to J33
 
-  /// Throws BrokenPromise; for no equilibrium, by how much, in N and N m.
+  /// Throws LawBroken; for no equilibrium, by how much, in N and N m.
   Spacecraft(double spin, Body body, std::vector<Cable> cables = {}, std::vector<Beam> beams = {}, std::vector<SpringMass> masses = {});
 
   double spin() const { return spin_; }  ///< rad/s, > 0, about axis 3

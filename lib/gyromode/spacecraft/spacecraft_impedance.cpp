@@ -1,20 +1,18 @@
 #include "gyromode/spacecraft/spacecraft_impedance.h"
 
 #include "gyromode/appendage/hub_impedance.h"
-
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include "gyromode/base/rounding.h"
+#include "gyromode/lapack/small.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
 
 namespace {
 
 // Places and products of inertia up to this fraction of the whole satellite are rounding of sums that cancel, and exactly zero.
-constexpr double negligible = 64 * std::numeric_limits<double>::epsilon();
+constexpr double negligible = 64 * epsilon;
 
 struct Units {
   double mass, length, time;
@@ -66,9 +64,7 @@ Index neutral_patterns_of(const std::vector<Cable>& cables) {
   }
   if (felt.cols() == 0) return 0;
   for (Index i = 0; i < 4; ++i) felt.row(i).normalize();
-  Eigen::ColPivHouseholderQR<Matrix> qr(felt);
-  qr.setThreshold(1e-12);
-  return felt.cols() - qr.rank();
+  return felt.cols() - small::ranked_qr(felt, 1e-12).rank;
 }
 
 }  // namespace
@@ -147,7 +143,7 @@ ComplexMatrix SpacecraftImpedance::at(Complex omega) const {
 
 // Errors of the fields grow as their phase: some 2ω/Ω in a wire (appendage/wire_field.h), (ρω²l⁴/EI)^¼ in a boom.
 double SpacecraftImpedance::rounding(double omega) const {
-  return std::numeric_limits<double>::epsilon() * (static_cast<double>(size_) + wire_phase_ * omega + beam_phase_ * std::sqrt(omega + 1));
+  return epsilon * (static_cast<double>(size_) + wire_phase_ * omega + beam_phase_ * std::sqrt(omega + 1));
 }
 
 // In the plane ζ is minus the first moment of the motion relative to the body, as the mass centre rests; B⁻¹ξ is not to be had at Ω.
@@ -184,7 +180,7 @@ Eigen::Matrix2cd SpacecraftImpedance::tilt(double omega) const {
     if (i != 3 && i != 4) others.push_back(i);
   }
   const ComplexMatrix border = h(others, kept);
-  return h(kept, kept) - border.adjoint() * ComplexMatrix(h(others, others)).fullPivLu().solve(border);
+  return h(kept, kept) - border.adjoint() * small::solve_fully_pivoted(h(others, others), border);
 }
 
 }  // namespace gyromode

@@ -1,9 +1,8 @@
 #include "gyromode/structure/conjugation.h"
 
 #include "gyromode/lapack/multiply.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/structure/phases.h"
-
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -101,8 +100,8 @@ void Conjugation::make_blocks_unitary(Vector& x) const {
     for (Index j = 0; j < c.count; ++j) {
       for (Index i = 0; i <= j; ++i, ++at) block(i, j) = block(j, i) = Complex(x(at), x(m + at)) * (i == j ? 1.0 : half);
     }
-    const Eigen::JacobiSVD<ComplexMatrix> svd(block, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const ComplexMatrix unitary = svd.matrixU() * svd.matrixV().adjoint();
+    const small::Svd svd = small::singular_value_decomposition(block);
+    const ComplexMatrix unitary = svd.u * svd.v.adjoint();
     for (Index j = 0; j < c.count; ++j) {
       for (Index i = 0; i <= j; ++i, ++v) {
         const Complex d = 0.5 * (unitary(i, j) + unitary(j, i)) / (i == j ? 1.0 : half);

@@ -1,5 +1,6 @@
 #include "gyromode/structure/definiteness.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/lapack/indefinite.h"
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
@@ -8,15 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
 namespace gyromode {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // Up to the first order the rank is decided entry by entry. Beyond, a blocked factorisation decides where both its pivots and its condition estimate leave a factor
 // 10 and more to the threshold (either alone can miss a null vector); else again entry by entry up to the second order, and the eigenvalues of the equilibrated K beyond that.
@@ -84,7 +82,7 @@ Definiteness by_eigenvalues(const Matrix& k, const Vector& scale) {
   Definiteness result;
   const Vector values = lapack::symmetric_eigenvalues(k);
   const double largest = values.cwiseAbs().maxCoeff();
-  const double threshold = 8 * static_cast<double>(n) * epsilon * largest;
+  const double threshold = zero_to_rounding(n) * largest;
   double smallest = largest;
   for (const double lambda : values) {
     if (std::abs(lambda) <= threshold) {

@@ -1,17 +1,18 @@
 #include "gyromode/structure/ignored_couplings.h"
 
+#include "gyromode/base/error.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <initializer_list>
-#include <stdexcept>
 
 namespace gyromode {
 
 namespace {
 
 void require(double tolerance) {
-  if (!(tolerance >= 0 && tolerance <= 1)) throw std::invalid_argument(fmt::format("coupling tolerance: {:g} where a fraction from 0 to 1 was expected", tolerance));
+  if (!(tolerance >= 0 && tolerance <= 1)) throw InvalidArgument(fmt::format("coupling tolerance: {:g} where a fraction from 0 to 1 was expected", tolerance));
 }
 
 double largest_entry(const Matrix& a) { return a.size() == 0 ? 0 : a.cwiseAbs().maxCoeff(); }
@@ -37,8 +38,8 @@ template <class Make>
 auto lawful(double tolerance, Make&& make) {
   try {
     return make();
-  } catch (const BrokenPromise& e) {
-    throw BrokenPromise(fmt::format("with couplings up to {:.2g} of the largest entry left out, {}: a smaller tolerance was expected", tolerance, e.what()));
+  } catch (const LawBroken& e) {
+    throw LawBroken(fmt::format("with couplings up to {:.2g} of the largest entry left out, {}: a smaller tolerance was expected", tolerance, e.what()));
   }
 }
 

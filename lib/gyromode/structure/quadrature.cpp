@@ -9,16 +9,16 @@ namespace {
 constexpr Index none = -1;
 
 // Breadth-first search tree: parent, the coupling that led here, depth and colour of every coordinate reached.
-struct Node {
+struct WalkNode {
   Index parent = none;
   CouplingKind kind = CouplingKind::in_phase;
   Index depth = 0;
   int colour = none;
 };
 
-class Search {
+class WalkSearch {
  public:
-  explicit Search(const CouplingGraph& graph) : graph_(graph), nodes_(graph.neighbours.size()) {}
+  explicit WalkSearch(const CouplingGraph& graph) : graph_(graph), nodes_(graph.neighbours.size()) {}
 
   bool reached(Index v) const { return node(v).colour != none; }
 
@@ -47,8 +47,8 @@ class Search {
   }
 
  private:
-  Node& node(Index v) { return nodes_[static_cast<std::size_t>(v)]; }
-  const Node& node(Index v) const { return nodes_[static_cast<std::size_t>(v)]; }
+  WalkNode& node(Index v) { return nodes_[static_cast<std::size_t>(v)]; }
+  const WalkNode& node(Index v) const { return nodes_[static_cast<std::size_t>(v)]; }
 
   // The tree paths of v and edge.to up to their lowest common ancestor, joined by the edge that contradicts the colours.
   OddCycle close_cycle(Index v, const CouplingGraph::Edge& edge) const {
@@ -72,14 +72,14 @@ class Search {
   }
 
   const CouplingGraph& graph_;
-  std::vector<Node> nodes_;
+  std::vector<WalkNode> nodes_;
 };
 
 }  // namespace
 
 std::vector<Component> partition(const CouplingGraph& graph) {
   std::vector<Component> components;
-  Search search(graph);
+  WalkSearch search(graph);
   for (Index v = 0; v < graph.size(); ++v) {
     if (!search.reached(v)) components.push_back(search.grow(v));
   }

@@ -1,25 +1,22 @@
 #include "gyromode/structure/ranked_factor.h"
 
+#include "gyromode/base/rounding.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/system/scale.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace gyromode {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
 class Elimination {
  public:
   Elimination(Matrix s, Matrix terms) : s_(std::move(s)), terms_(std::move(terms)), n_(s_.rows()), l_(Matrix::Zero(n_, n_)), order_(static_cast<std::size_t>(n_)) {
     std::iota(order_.begin(), order_.end(), Index{0});
-    zero_ = 8 * static_cast<double>(n_) * epsilon;
+    zero_ = zero_to_rounding(n_);
   }
 
   void run(RankedFactor& f) {
@@ -28,7 +25,7 @@ class Elimination {
       const Index width = choose(at);
       if (width == 0) break;
       const auto block = s_.block(at, at, width, width);
-      const Vector d = Eigen::SelfAdjointEigenSolver<Matrix>(block, Eigen::EigenvaluesOnly).eigenvalues();
+      const Vector d = small::symmetric_eigenvalues(block);
       for (const double x : d) ++(x < 0 ? f.negative : f.positive);
       f.smallest_kept = std::min(f.smallest_kept, d.cwiseAbs().minCoeff() / terms_.block(at, at, width, width).cwiseAbs().maxCoeff());
       eliminate(at, width);
@@ -102,7 +99,7 @@ class Elimination {
     const Index rest = n_ - at - width;
     const Matrix block = s_.block(at, at, width, width);
     const Matrix below = s_.block(at + width, at, rest, width);
-    const Matrix factor = width == 1 ? Matrix(below / block(0, 0)) : Matrix(below * block.inverse());
+    const Matrix factor = width == 1 ? Matrix(below / block(0, 0)) : Matrix(below * small::inverse(block));
     l_.block(at, at, width, width).setIdentity();
     l_.block(at + width, at, rest, width) = factor;
     s_.bottomRightCorner(rest, rest) -= factor * below.transpose();

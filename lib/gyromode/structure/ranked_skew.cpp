@@ -1,12 +1,12 @@
 #include "gyromode/structure/ranked_skew.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/lapack/multiply.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 #include "gyromode/system/scale.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace gyromode {
@@ -34,7 +34,7 @@ Pivot largest(const Matrix& s, const Matrix& terms, double zero, Index from) {
 // With the pair first, S = [g J, −Bᵀ; B, S₂], J = [0 −1; 1 0]: the Schur complement is S₂ + B(gJ)⁻¹Bᵀ = S₂ + (b₁b₂ᵀ − b₂b₁ᵀ)/g, and null vectors (t, z) have t = (gJ)⁻¹Bᵀz = (b₂ᵀz, −b₁ᵀz)/g.
 RankedSkew ranked_skew(Matrix s, Matrix terms) {
   const Index n = s.rows();
-  const double zero = 8 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+  const double zero = zero_to_rounding(n);
   std::vector<Index> order(static_cast<std::size_t>(n));
   std::iota(order.begin(), order.end(), Index{0});
   RankedSkew f;

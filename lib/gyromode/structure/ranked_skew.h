@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/lapack/types.h"
+#include "gyromode/base/types.h"
 
 #include <vector>
 

@@ -1,23 +1,20 @@
 #include "gyromode/structure/realify.h"
 
+#include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/lapack/hermitian.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/system/scale.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <stdexcept>
 
 namespace gyromode {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-double rounding(const Vector& eigenvalues) { return 8 * static_cast<double>(eigenvalues.size()) * epsilon * eigenvalues.cwiseAbs().maxCoeff(); }
+double zero_of(const Vector& eigenvalues) { return zero_to_rounding(eigenvalues.size()) * eigenvalues.cwiseAbs().maxCoeff(); }
 
 // ψ of (19) on the branch nearest to `near`; c and a − d below rounding of H leave it as it is.
 double axis_angle(double a, double c, double d, double b, double near) {
@@ -48,13 +45,13 @@ Vector Realified::equilibrated_eigenvalues() const {
 Index Realified::negative() const {
   if (real_symmetric.size() == 0) return 0;
   const Vector values = equilibrated_eigenvalues();
-  return (values.array() < -rounding(values)).count();
+  return (values.array() < -zero_of(values)).count();
 }
 
 int Realified::determinant_sign() const {
   if (real_symmetric.size() == 0) return 1;
   const Vector values = equilibrated_eigenvalues();
-  if ((values.cwiseAbs().array() <= rounding(values)).any()) return 0;
+  if ((values.cwiseAbs().array() <= zero_of(values)).any()) return 0;
   return (values.array() < 0).count() % 2 == 0 ? 1 : -1;
 }
 
@@ -66,7 +63,7 @@ Realified realify_by_partition(const ComplexMatrix& h, const std::vector<Index>&
 }
 
 Realified realify_by_angle(const ComplexMatrix& h, double near) {
-  if (h.rows() != 2 || h.cols() != 2) throw std::invalid_argument("S(ψ) is for 2 × 2 matrices");
+  if (h.rows() != 2 || h.cols() != 2) throw InvalidArgument("S(ψ) is for 2 × 2 matrices");
   const double a = h(0, 0).real(), d = h(1, 1).real(), c = h(0, 1).real(), b = h(0, 1).imag();
   const double psi = axis_angle(a, c, d, b, near);
   const double cosine = std::cos(psi), sine = std::sin(psi), sine2 = std::sin(2 * psi);
@@ -83,16 +80,16 @@ Realified realify_by_reflections(const ComplexMatrix& h) {
   // Scaled to entries near 1: squares of very large and very small ones would leave the range of a double.
   const double largest = h.cwiseAbs().maxCoeff();
   const double unit = largest > 0 ? std::exp2(std::round(std::log2(largest))) : 1;
-  const Eigen::Tridiagonalization<ComplexMatrix> t(ComplexMatrix(h * (1 / unit)));
+  const small::Tridiagonal t = small::tridiagonalised(h * (1 / unit));
   Matrix star = Matrix::Zero(n, n);
   ComplexVector phase = ComplexVector::Ones(n);
-  star.diagonal() = t.diagonal() * unit;
+  star.diagonal() = t.diagonal * unit;
   for (Index i = 0; i + 1 < n; ++i) {
-    const double beta = t.subDiagonal()(i);
+    const double beta = t.subdiagonal(i);
     phase(i + 1) = beta < 0 ? -phase(i) : phase(i);
     star(i + 1, i) = star(i, i + 1) = std::abs(beta) * unit;
   }
-  return {h, ComplexMatrix(t.matrixQ()) * phase.asDiagonal(), std::move(star), Realification::tridiagonal, std::nullopt};
+  return {h, t.q * phase.asDiagonal(), std::move(star), Realification::tridiagonal, std::nullopt};
 }
 
 Realified realify(const ComplexMatrix& h, const Structure& structure, double near) {

@@ -37,7 +37,7 @@ Realified realify_by_partition(const ComplexMatrix& h, const std::vector<Index>&
 ///     S = [cos ψ, j sin ψ; sin ψ, −j cos ψ],   tan 2ψ = 2c/(a − d)                   (Eqs. 17, 19)
 ///     H* = [a cos²ψ + d sin²ψ + c sin 2ψ, b; b, a sin²ψ + d cos²ψ − c sin 2ψ]        (Eq. 18, in which the print has c/2 for c).
 /// ψ = ½ atan2(2c, a − d), defined at a = d and c = 0, plus the multiple of 90° that brings it nearest to `near`; where c and a − d vanish to rounding every angle serves
-/// and it is `near` itself. So ψ is continuous along ω when it is handed from one frequency to the next. Throws std::invalid_argument where h is not 2 × 2.
+/// and it is `near` itself. So ψ is continuous along ω when it is handed from one frequency to the next. Throws InvalidArgument where h is not 2 × 2.
 Realified realify_by_angle(const ComplexMatrix& h, double near = 0);
 
 /// Householder tridiagonalisation with a diagonal of phases, for any Hermitian n × n: H* is tridiagonal with subdiagonal ≥ 0.

@@ -3,7 +3,7 @@
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 
 #include <cmath>
 #include <utility>

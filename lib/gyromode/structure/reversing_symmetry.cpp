@@ -1,5 +1,7 @@
 #include "gyromode/structure/reversing_symmetry.h"
 
+#include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/lapack/hermitian.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/status.h"
@@ -11,13 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double allowance = 4;  // times n: what rounding may do, in units of what one error in the last place does on average
 
 // Mass-normalised coordinates q = D L⁻ᵀ z, and what one unit in the last place of every entry of M, G, K does to k and Γ there (Frobenius norms).
@@ -34,7 +34,7 @@ Normalised normalised(const Matrix& mass, const Matrix& gyroscopic, const Matrix
   Normalised s;
   s.scale = unit_diagonal_scale(mass);
   s.l = scaled(mass, s.scale);
-  if (lapack::cholesky(s.l)) throw lapack::Failure("the mass matrix is not numerically positive definite");
+  if (lapack::cholesky(s.l)) throw NotConverged("the mass matrix is not numerically positive definite");
   const Matrix k = scaled(stiffness, s.scale), g = scaled(gyroscopic, s.scale);
   s.k = lapack::congruence(s.l, k);
   Matrix gamma = g;
@@ -57,7 +57,7 @@ Normalised normalised(const Matrix& mass, const Matrix& gyroscopic, const Matrix
 // Where the strongest couplings do not lead to a symmetry, the space of all solutions is computed for so many unknowns: about the order of the system, more with clusters.
 constexpr Index affordable_unknowns = 600;
 
-double ratio(double a, double b) { return b > 0 ? a / b : a > 0 ? std::numeric_limits<double>::infinity() : 0; }
+double ratio(double a, double b) { return b > 0 ? a / b : a > 0 ? infinity : 0; }
 
 ComplexMatrix hermitian_combination(const Normalised& s, double unit_k, double unit_gamma) {
   constexpr double alpha = 0.73;  // any number that no symmetry of a model singles out
@@ -135,7 +135,7 @@ Vector reach(const Matrix& p, const Matrix& a) { return (p.cwiseAbs2().transpose
 
 // Of every eigenvalue of k, its modulus; of those that rounding makes, the least of the others.
 Vector sizes(const Vector& eigenvalues, const Vector& rounding) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (Index i = 0; i < eigenvalues.size(); ++i) {
     if (std::abs(eigenvalues(i)) > rounding(i)) least = std::min(least, std::abs(eigenvalues(i)));
   }
@@ -192,7 +192,7 @@ Vector noise_of_vectors(const Vector& ascending, double noise) {
   const Index n = ascending.size();
   Vector turned(n);
   for (Index i = 0; i < n; ++i) {
-    double gap = std::numeric_limits<double>::infinity();
+    double gap = infinity;
     if (i > 0) gap = ascending(i) - ascending(i - 1);
     if (i + 1 < n) gap = std::min(gap, ascending(i + 1) - ascending(i));
     turned(i) = noise * (1 + 1 / std::max(gap, noise));

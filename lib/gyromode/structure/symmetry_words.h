@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 
 #include <string>
 #include <vector>

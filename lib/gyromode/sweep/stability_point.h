@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/modes/result.h"
+#include "gyromode/spectrum/result.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gyromode/lapack/types.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/base/types.h"
+#include "gyromode/system/laws.h"
 
 namespace gyromode {
 
@@ -14,7 +14,7 @@ class FirstOrderSystem {
     double inertia = 0, gyroscopic = 0;
   };
 
-  /// Throws BrokenPromise where a promise does not hold. Labels default to q1 … qn.
+  /// Throws LawBroken where a promise does not hold. Labels default to q1 … qn.
   FirstOrderSystem(Matrix inertia, Matrix gyroscopic, Labels labels = {});
 
   Index size() const { return inertia_.rows(); }

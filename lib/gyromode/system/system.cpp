@@ -1,5 +1,8 @@
 #include "gyromode/system/system.h"
 
+#include "gyromode/base/error.h"
+#include "gyromode/base/labels.h"
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -9,7 +12,7 @@ namespace gyromode {
 namespace {
 
 void require_size(std::string_view name, const Matrix& a, Index n) {
-  if (a.rows() != n) throw BrokenPromise(fmt::format("{} must have the order of M: it is {} × {}, M is {} × {}", name, a.rows(), a.cols(), n, n));
+  if (a.rows() != n) throw LawBroken(fmt::format("{} must have the order of M: it is {} × {}, M is {} × {}", name, a.rows(), a.cols(), n, n));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gyromode/lapack/types.h"
-#include "gyromode/system/promise.h"
+#include "gyromode/base/types.h"
+#include "gyromode/system/laws.h"
 
 namespace gyromode {
 
@@ -16,7 +16,7 @@ class System {
     double mass = 0, gyroscopic = 0, stiffness = 0;
   };
 
-  /// Throws BrokenPromise where a promise does not hold. Labels default to q1 … qn.
+  /// Throws LawBroken where a promise does not hold. Labels default to q1 … qn.
   System(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labels labels = {});
 
   Index size() const { return mass_.rows(); }

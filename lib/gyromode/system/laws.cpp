@@ -1,5 +1,7 @@
-#include "gyromode/system/promise.h"
+#include "gyromode/system/laws.h"
 
+#include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/lapack/status.h"
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
@@ -9,8 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <unordered_set>
 
 namespace gyromode {
 
@@ -43,10 +43,10 @@ double require_symmetry(std::string_view name, const Matrix& a, double sign) {
   const double largest = a.cwiseAbs().maxCoeff();
   const std::string law = fmt::format("{0} must satisfy {0} = {1}{0}ᵀ", name, sign > 0 ? "" : "−");
   if (b.i == b.j) {
-    throw BrokenPromise(fmt::format("{}: the diagonal entry ({},{}) = {:.6g} must be 0, it is {:.2g} % of the largest entry", law, b.i + 1, b.j + 1,
+    throw LawBroken(fmt::format("{}: the diagonal entry ({},{}) = {:.6g} must be 0, it is {:.2g} % of the largest entry", law, b.i + 1, b.j + 1,
                                     a(b.i, b.j), 100 * std::abs(a(b.i, b.j)) / largest));
   }
-  throw BrokenPromise(fmt::format("{}: entries ({},{}) = {:.6g} and ({},{}) = {:.6g} {} by {:.3g}, {:.2g} % of the largest entry", law, b.j + 1, b.i + 1,
+  throw LawBroken(fmt::format("{}: entries ({},{}) = {:.6g} and ({},{}) = {:.6g} {} by {:.3g}, {:.2g} % of the largest entry", law, b.j + 1, b.i + 1,
                                   a(b.j, b.i), b.i + 1, b.j + 1, a(b.i, b.j), sign > 0 ? "differ" : "miss opposite signs", b.size,
                                   100 * b.size / largest));
 }
@@ -78,57 +78,34 @@ Weakest weakest(const Matrix& unit_diagonal) {
 
 void require_order(std::string_view what, Index n) {
   if (n <= most_coordinates) return;
-  throw lapack::TooLarge(fmt::format("{} of order {} is too large: dense models have at most {} coordinates; leave coordinates out, or solve parts that nothing couples one by one", what, n, most_coordinates));
-}
-
-Labels default_labels(Index n) {
-  Labels labels(static_cast<std::size_t>(n));
-  for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = fmt::format("q{}", i + 1);
-  return labels;
+  throw TooLarge(fmt::format("{} of order {} is too large: dense models have at most {} coordinates; leave coordinates out, or solve parts that nothing couples one by one", what, n, most_coordinates));
 }
 
 void require_square(std::string_view name, const Matrix& a) {
-  if (a.rows() != a.cols()) throw BrokenPromise(fmt::format("{} must be square: it has {} rows and {} columns", name, a.rows(), a.cols()));
-  if (a.rows() == 0) throw BrokenPromise(fmt::format("{} must have at least one coordinate: it is empty", name));
+  if (a.rows() != a.cols()) throw LawBroken(fmt::format("{} must be square: it has {} rows and {} columns", name, a.rows(), a.cols()));
+  if (a.rows() == 0) throw LawBroken(fmt::format("{} must have at least one coordinate: it is empty", name));
 }
 
 void require_finite(std::string_view name, const Matrix& a) {
   for (Index j = 0; j < a.cols(); ++j) {
     for (Index i = 0; i < a.rows(); ++i) {
-      if (!std::isfinite(a(i, j))) throw BrokenPromise(fmt::format("{} must be finite: entry ({},{}) = {}", name, i + 1, j + 1, a(i, j)));
+      if (!std::isfinite(a(i, j))) throw LawBroken(fmt::format("{} must be finite: entry ({},{}) = {}", name, i + 1, j + 1, a(i, j)));
     }
-  }
-}
-
-bool has_control_character(std::string_view label) {
-  return std::any_of(label.begin(), label.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
-}
-
-void require_labels(const Labels& labels, Index n) {
-  if (static_cast<Index>(labels.size()) != n) {
-    throw BrokenPromise(fmt::format("labels must name every coordinate once: {} labels for {} coordinates", labels.size(), n));
-  }
-  std::unordered_set<std::string_view> seen;
-  for (const std::string& label : labels) {
-    if (label.empty()) throw BrokenPromise("labels must not be empty");
-    if (has_control_character(label)) throw BrokenPromise("labels must print on one line: one has a control character");
-    if (!seen.insert(label).second) throw BrokenPromise(fmt::format("labels must differ: '{}' is given twice", label));
   }
 }
 
 void require_positive_definite(std::string_view name, const Matrix& a, const Labels& labels) {
   const Index n = a.rows();
-  const double epsilon = std::numeric_limits<double>::epsilon();
   for (Index i = 0; i < n; ++i) {
     if (!(a(i, i) > 0)) {
-      throw BrokenPromise(fmt::format("{} must be positive definite: diagonal entry ({},{}) = {:.6g} of coordinate '{}' is not above 0", name, i + 1,
+      throw LawBroken(fmt::format("{} must be positive definite: diagonal entry ({},{}) = {:.6g} of coordinate '{}' is not above 0", name, i + 1,
                                       i + 1, a(i, i), labels[static_cast<std::size_t>(i)]));
     }
   }
   const Weakest w = weakest(scaled(a, unit_diagonal_scale(a)));
   const double limit = static_cast<double>(n) * epsilon;
   if (w.value > limit) return;
-  throw BrokenPromise(fmt::format("{} must be positive definite: scaled to unit diagonal its smallest eigenvalue is {:.3g}, not above n ε = {:.2g}; coordinate '{}' "
+  throw LawBroken(fmt::format("{} must be positive definite: scaled to unit diagonal its smallest eigenvalue is {:.3g}, not above n ε = {:.2g}; coordinate '{}' "
                                   "takes part most",
                                   name, w.value, limit, labels[static_cast<std::size_t>(w.coordinate)]));
 }

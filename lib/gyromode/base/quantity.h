@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace gyromode::io {
+namespace gyromode {
 
 /// A frequency as people write it: a number in rad/s, or with a unit: "10 rpm", "5Hz", "2 rad/s", "90 deg/s", "1 rev/s", "3 krpm", "1.2 kHz".
 /// Nothing where the text is none; finite always.
@@ -21,4 +21,4 @@ std::optional<double> parse_quantity(std::string_view text, Dimension dimension)
 /// What it accepts, for messages.
 std::string_view form_of(Dimension dimension);
 
-}  // namespace gyromode::io
+}  // namespace gyromode

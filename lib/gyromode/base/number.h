@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace gyromode::io {
+namespace gyromode {
 
 /// A word read as a real number.
 struct Parsed {
@@ -19,4 +19,4 @@ Parsed parse_real(std::string_view word);
 /// The whole word as an integer that fits 64 bits, with an optional '+'.
 std::optional<std::int64_t> whole_number(std::string_view word);
 
-}  // namespace gyromode::io
+}  // namespace gyromode

@@ -1,12 +1,12 @@
-#include "gyromode/io/unit.h"
+#include "gyromode/base/quantity.h"
 
-#include "gyromode/io/number.h"
+#include "gyromode/base/number.h"
 
 #include <cmath>
 #include <numbers>
 #include <span>
 
-namespace gyromode::io {
+namespace gyromode {
 
 namespace {
 
@@ -97,4 +97,4 @@ std::string_view form_of(Dimension dimension) {
   }
 }
 
-}  // namespace gyromode::io
+}  // namespace gyromode

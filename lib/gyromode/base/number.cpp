@@ -1,11 +1,11 @@
-#include "gyromode/io/number.h"
+#include "gyromode/base/number.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
 
-namespace gyromode::io {
+namespace gyromode {
 
 namespace {
 
@@ -53,4 +53,4 @@ Parsed parse_real(std::string_view word) {
   return {Parsed::ok, value};
 }
 
-}  // namespace gyromode::io
+}  // namespace gyromode

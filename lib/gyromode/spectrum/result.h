@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gyromode/certificate/verdict.h"
-#include "gyromode/modes/window.h"
+#include "gyromode/spectrum/verdict.h"
+#include "gyromode/spectrum/window.h"
 #include "gyromode/structure/structure.h"
 
 #include <array>
@@ -53,6 +53,20 @@ struct Coverage {
   Index found = 0;             ///< with multiplicity
   std::optional<Index> counted;
   std::string reason;          ///< why not complete, for people; empty where complete
+};
+
+enum class CountStatus { exact, signed_only, doubtful };
+std::string_view word(CountStatus status);
+
+/// How many modes a window holds, by factorisations at its ends (theory (T9), (T10)).
+struct CountResult {
+  Window window;                    ///< what was used: an endpoint on a mode is moved outward
+  Window requested;
+  std::optional<Index> count;       ///< modes in [a, b), zero modes included where a = 0; nothing where only the signed count is known
+  Index signed_count = 0;           ///< modes of positive minus modes of negative energy
+  Index zero = 0;                   ///< zero modes in the window
+  std::array<Index, 2> negative{};  ///< n₋(H(a)), n₋(H(b)); H(0⁺) where a = 0
+  CountStatus status = CountStatus::doubtful;
 };
 
 /// What is known of K.

@@ -1,47 +1,33 @@
 #pragma once
 
-#include "gyromode/lapack/types.h"
+#include "gyromode/base/error.h"
+#include "gyromode/base/labels.h"
+#include "gyromode/base/rounding.h"
+#include "gyromode/base/types.h"
 
-#include <stdexcept>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace gyromode {
-
-/// A law of mechanics that the input breaks: M not positive definite, K not symmetric, G not skew.
-/// what() is one line: promise, size of the breach, place.
-class BrokenPromise : public std::invalid_argument {
- public:
-  using std::invalid_argument::invalid_argument;
-};
-
-using Labels = std::vector<std::string>;
-
-/// q1 … qn.
-Labels default_labels(Index n);
 
 /// The largest order of a dense model. Eigenvalue problems of order 2n are indexed by LAPACK with 32 bits, 8n² + 12n + 1 < 2³¹, and at this order a solver takes some 40 n² bytes, 11 GB, beside the
 /// model's own 24 n².
 inline constexpr Index most_coordinates = 16'383;
 
-/// Throws lapack::TooLarge for n beyond it; `what` is of that order, "a model".
+/// Throws TooLarge for n beyond it; `what` is of that order, "a model".
 void require_order(std::string_view what, Index n);
 
-/// Throw BrokenPromise unless the matrix `name` keeps its promise. Entries count from 1 in messages, as in Matrix Market.
+/// Throw LawBroken unless the matrix `name` keeps the law. Entries count from 1 in messages, as in Matrix Market.
 void require_square(std::string_view name, const Matrix& a);
 void require_finite(std::string_view name, const Matrix& a);
-void require_labels(const Labels& labels, Index n);  ///< n of them, not empty, different, without control characters
-bool has_control_character(std::string_view label);
 /// A positive definite: scaled to unit diagonal, its smallest eigenvalue above n ε.
 void require_positive_definite(std::string_view name, const Matrix& a, const Labels& labels);
 
-/// Rounding in another program leaves |a_ij − a_ji| of a few units in the last place. The promise A = ±Aᵀ is kept when
+/// Rounding in another program leaves |a_ij − a_ji| of a few units in the last place. The law A = ±Aᵀ is kept when
 ///     |a_ij ∓ a_ji| ≤ 16 ε √(r_i r_j),   r_i the largest |entry| of row and column i;
 /// the (skew-)symmetric part is then used, and the breach is reported (System::symmetry_errors, `checks` of gyromode structure).
-inline constexpr double symmetry_tolerance = 16 * 2.220446049250313e-16;
+inline constexpr double symmetry_tolerance = 16 * epsilon;
 
-/// The largest |a_ij − a_ji| / √(r_i r_j); throws BrokenPromise above the tolerance.
+/// The largest |a_ij − a_ji| / √(r_i r_j); throws LawBroken above the tolerance.
 double require_symmetric(std::string_view name, const Matrix& a);
 /// The largest |a_ij + a_ji| / √(r_i r_j), likewise.
 double require_skew(std::string_view name, const Matrix& a);

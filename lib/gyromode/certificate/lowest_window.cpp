@@ -1,0 +1,42 @@
+#include "gyromode/base/error.h"
+#include "gyromode/certificate/window_ends.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gyromode {
+
+namespace {
+
+// A frequency below which there are enough roots, and one more to show the gap; of infinitely many.
+double far_enough(const CountedSpectrum& s, Index lowest, const Window& requested) {
+  constexpr Index rigid_bodies = 2, to_show_the_gap = 1;
+  const Index before = s.below(requested.a);
+  const auto found = [&](double b) { return s.below(b) - before; };
+  double b = std::max(2.0, 2 * requested.a);
+  while (b < requested.b && b < s.reach() && found(b) < lowest + rigid_bodies + to_show_the_gap) b *= 1.5;
+  if (b < s.reach()) return b;
+  const Index within = std::max<Index>(found(s.reach()) - 1, 0);  // one may be a rigid-body root
+  if (within < lowest && s.reach() < requested.b) {
+    throw InvalidArgument(fmt::format("{} modes were asked for, and {} are within reach: {}", lowest, within, s.reach_reason()));
+  }
+  return s.reach();
+}
+
+}  // namespace
+
+Window lowest_window(const CountedSpectrum& s, Index lowest, const Window& requested) {
+  const double b = s.finite() ? requested.b : std::min(far_enough(s, lowest, requested), requested.b);
+  const std::vector<CountedRoot> all = s.roots({requested.a, b}).roots;
+  Index seen = 0;
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    if (all[i].omega < requested.a) continue;
+    if (!all[i].rigid_body) ++seen;
+    const double from = all[i].omega + 4 * all[i].error, to = all[i + 1].omega - 4 * all[i + 1].error;
+    if (seen >= lowest && to > from) return {requested.a, std::min(0.5 * (from + to), requested.b)};
+  }
+  return {requested.a, b};
+}
+
+}  // namespace gyromode

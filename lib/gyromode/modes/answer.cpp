@@ -1,0 +1,79 @@
+#include "gyromode/modes/answer.h"
+
+#include "gyromode/base/error.h"
+#include "gyromode/certificate/coverage.h"
+
+#include <algorithm>
+
+namespace gyromode {
+
+namespace {
+
+Window in_unit_of(const CountedSpectrum& s, const Window& w) { return {w.a / s.unit(), w.b / s.unit()}; }
+
+// Back in rad per unit of time; an end that was not moved is exactly the one asked for.
+Window given(const CountedSpectrum& s, const Window& used, const Window& asked) {
+  const Window before = in_unit_of(s, asked);
+  return {used.a == before.a ? asked.a : used.a * s.unit(), used.b == before.b ? asked.b : used.b * s.unit()};
+}
+
+void require_end(const CountedSpectrum& s, const Window& w, const char* what) {
+  if (w.open() && !s.finite()) throw InvalidArgument(std::string("a spacecraft with exact booms has infinitely many modes: ") + what + " needed");
+}
+
+}  // namespace
+
+void require_options(const ModesOptions& options) {
+  require_window(options.window);
+  if (options.lowest && *options.lowest < 1) throw InvalidArgument("lowest: at least 1 mode must be asked for");
+}
+
+ModesResult modes_of(const CountedSpectrum& s, const ModesOptions& options) {
+  require_options(options);
+  if (!options.lowest) require_end(s, options.window, "a window with two ends or the number of lowest ones is");
+  const Window asked = in_unit_of(s, options.window);
+  const WindowEnds ends = ends_of(s, options.lowest ? lowest_window(s, *options.lowest, asked) : asked);
+  const RootRange found = s.roots(ends.window);
+  std::vector<CountedRoot> listed;
+  ModesResult r;
+  s.describe(r, options.shapes);
+  r.index_balance = s.balance();
+  for (const std::size_t i : inside(found.roots, ends.window)) {
+    listed.push_back(found.roots[i]);
+    r.modes.push_back(found.mode(i, options.shapes));
+  }
+  r.coverage = coverage_of(s, ends, listed);
+  r.coverage.window = given(s, ends.window, options.window);
+  r.coverage.requested = options.window;
+  std::sort(r.unstable.begin(), r.unstable.end(), [](const UnstableMode& a, const UnstableMode& b) { return a.growth_rate > b.growth_rate; });
+  return r;
+}
+
+CountResult count_of(const CountedSpectrum& s, const Window& requested) {
+  require_window(requested);
+  require_end(s, requested, "a window with two ends is");
+  const WindowEnds ends = ends_of(s, in_unit_of(s, requested));
+  CountResult r;
+  r.window = given(s, ends.window, requested);
+  r.requested = requested;
+  r.negative = {ends.low.negative, ends.high.negative};
+  r.signed_count = s.direction() * (ends.high.negative - ends.low.negative);
+  r.zero = ends.window.a == 0 ? s.zero_roots() : 0;
+  if (ends.low.doubtful() || ends.high.doubtful()) {
+    r.status = CountStatus::doubtful;
+  } else if (const auto* all = s.all_roots()) {  // found without counts: they must agree
+    std::vector<CountedRoot> listed;
+    for (const std::size_t i : inside(*all, ends.window)) listed.push_back((*all)[i]);
+    const Coverage c = coverage_of(s, ends, listed);
+    r.count = c.counted;
+    r.status = !c.counted ? CountStatus::signed_only : c.status == CoverageStatus::complete ? CountStatus::exact : CountStatus::doubtful;
+  } else if (!s.balance().closed) {
+    r.status = CountStatus::signed_only;
+  } else {
+    r.count = counted_in(s, ends);
+    r.status = CountStatus::exact;
+  }
+  return r;
+}
+
+}  // namespace gyromode

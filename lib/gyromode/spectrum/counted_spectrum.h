@@ -1,0 +1,71 @@
+#pragma once
+
+#include "gyromode/spectrum/inertia.h"
+#include "gyromode/spectrum/result.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gyromode {
+
+/// A root ω ≥ 0 of a CountedSpectrum.
+struct CountedRoot {
+  double omega = 0;
+  double error = 0;         ///< the true root is in omega ± error
+  int energy_sign = 1;      ///< 0 of zero roots, and where it cannot be told
+  bool zero = false;        ///< a pair of zero roots (one, in first order)
+  bool rigid_body = false;  ///< known by construction: not among those that --lowest counts
+  std::string doubt;        ///< why it is no root, whatever the counts say, for people; empty where nothing speaks against it
+};
+
+/// Roots of a range, ascending, and what is known of each.
+struct RootRange {
+  std::vector<CountedRoot> roots;
+  std::function<Mode(std::size_t root, bool with_shape)> mode;  ///< frequencies in rad per unit of time
+};
+
+/// What every engine leaves: the roots of a model with counts that are independent of them. Windows, their ends, the lowest so many, coverage, counts and results are made of this and nothing else (certificate/, modes/).
+/// Frequencies are in a unit of the engine's choice.
+class CountedSpectrum {
+ public:
+  virtual ~CountedSpectrum() = default;
+
+  /// ω = 1 in rad per unit of time.
+  virtual double unit() const { return 1; }
+
+  /// All roots, ascending, of an engine that finds them at once; null where roots are found by ranges.
+  virtual const std::vector<CountedRoot>* all_roots() const { return nullptr; }
+  /// The roots of [a, b), and perhaps some outside, zero roots too where a = 0. b may be infinite where there are finitely many.
+  virtual RootRange roots(const Window& range) const = 0;
+  /// Whether there are finitely many; and then a frequency above all of them, where −ω²M has taken over.
+  virtual bool finite() const { return true; }
+  virtual double above_all() const = 0;
+  /// Roots are followed no farther than this; `reach_reason` says why, for people.
+  virtual double reach() const { return infinity; }
+  virtual std::string reach_reason() const { return ""; }
+  /// How many roots are in (0, ω), by counts where roots are found by ranges.
+  virtual Index below(double omega) const = 0;
+  /// How many more roots a range holds than n₋ changes by: two for every one of negative energy that is known, one for each of an undecided pair (one + and one −).
+  virtual Index missed_by_signs(const Window& range) const = 0;
+  virtual Index zero_roots() const = 0;
+
+  /// n₋(H(ω)), ω > 0, and n₋(H(0⁺)) (theory (T9), (T10)). At a root of energy sign κ it changes by κ · direction().
+  virtual Inertia inertia_at(double omega) const = 0;
+  virtual Index negative_at_zero() const = 0;
+  virtual int direction() const { return 1; }
+
+  /// The index balance, and why it is open, for people.
+  virtual IndexBalance balance() const = 0;
+  virtual std::string open_reason() const = 0;
+  /// Whether every root was isolated by counts, or shown not to be listed twice: then counts between the ends can add nothing.
+  virtual bool isolated() const = 0;
+
+  /// All of a result that does not depend on the window.
+  virtual void describe(ModesResult& result, bool with_shapes) const = 0;
+};
+
+/// The roots of `all` that are in the window.
+std::vector<std::size_t> inside(const std::vector<CountedRoot>& all, const Window& window);
+
+}  // namespace gyromode
