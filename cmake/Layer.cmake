@@ -19,6 +19,9 @@ function(gyromode_layer name)
 
   set(target gyromode_${name})
   add_library(${target} OBJECT ${LAYER_SOURCES})
+  if(GYROMODE_UNITY STREQUAL ALL)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib>
                                               $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/lib>)
   target_compile_definitions(${target} PUBLIC ${gyromode_eigen_layout})

@@ -3,8 +3,8 @@
 #include "gyromode/base/rounding.h"
 #include "gyromode/dense/impedance.h"
 #include "gyromode/dense/inertia.h"
+#include "gyromode/lapack/small.h"
 
-#include <Eigen/Dense>
 
 #include <gtest/gtest.h>
 
@@ -28,10 +28,8 @@ Vector random_units(Index n, Random& random) {  // 12 decades
   return Vector::NullaryExpr(n, [&] { return std::pow(10, exponent(random)); });
 }
 
-template <class AnyMatrix>
-Vector eigenvalues(const AnyMatrix& hermitian) {
-  return Eigen::SelfAdjointEigenSolver<AnyMatrix>(hermitian, Eigen::EigenvaluesOnly).eigenvalues();
-}
+Vector eigenvalues(const Matrix& symmetric) { return small::symmetric_eigenvalues(symmetric); }
+Vector eigenvalues(const ComplexMatrix& hermitian) { return small::hermitian_eigenvalues(hermitian); }
 
 // ---- inertia
 
@@ -43,8 +41,8 @@ TEST(Inertia, DefiniteMatricesAndThoseThatAreNearlySo) {
       ComplexMatrix z(n, n);
       z.real() = random_matrix(n, n, random);
       z.imag() = random_matrix(n, n, random);
-      const ComplexMatrix u = z.householderQr().householderQ();
-      const Matrix q = Matrix(z.real()).householderQr().householderQ();
+      const ComplexMatrix u = small::qr(z).q;
+      const Matrix q = small::orthogonal_factor(z.real());
       Vector lambda = random_matrix(n, 1, random).cwiseAbs().cwiseMin(1).array() + 1;
       lambda.head(negative) *= -1;
       for (const double last : {1.0, 1e-3, 1e-9}) {
@@ -76,8 +74,8 @@ TEST(Inertia, WellConditionedMatricesInAnyUnitsAreCountedWithoutDoubt) {
     ComplexMatrix z(n, n);
     z.real() = random_matrix(n, n, random);
     z.imag() = random_matrix(n, n, random);
-    const ComplexMatrix u = z.householderQr().householderQ();
-    const Matrix q = Matrix(z.real()).householderQr().householderQ();
+    const ComplexMatrix u = small::qr(z).q;
+    const Matrix q = small::orthogonal_factor(z.real());
     const ComplexMatrix h = u * lambda.asDiagonal() * u.adjoint();
     const Matrix s = q * lambda.asDiagonal() * q.transpose();
     for (const double unit : {1e-9, 1.0, 1e9}) {
@@ -100,7 +98,7 @@ TEST(Inertia, TinyDiagonals) {
   for (int trial = 0; trial < 200; ++trial) {
     const Index n = 1 + trial % 12;
     Matrix a = Matrix::Zero(2 * n, 2 * n);
-    const Matrix c = random_matrix(n, n, random).householderQr().householderQ();
+    const Matrix c = small::orthogonal_factor(random_matrix(n, n, random));
     const Matrix small = random_matrix(2 * n, 2 * n, random) * (trial % 3 == 0 ? 0 : 1e-14);
     a.topRightCorner(n, n) = c;
     a.bottomLeftCorner(n, n) = c.transpose();

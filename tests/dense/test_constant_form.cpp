@@ -2,11 +2,11 @@
 #include "gyromode/base/rounding.h"
 #include "gyromode/dense/constant_form.h"
 #include "gyromode/dense/spectrum.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/modes/modes.h"
 #include "support/random_matrices.h"
 #include "support/scrambled.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ void expect_form(const System& s, const char* what) {
   for (const Mode& m : r.modes) expected.push_back(m.omega * m.omega);
   for (const UnstableMode& u : r.unstable) expected.push_back(-u.growth_rate * u.growth_rate);
   std::sort(expected.begin(), expected.end());
-  const Vector found = Eigen::SelfAdjointEigenSolver<Matrix>(f.w).eigenvalues();
+  const Vector found = small::symmetric_eigenvalues(f.w);
   ASSERT_EQ(static_cast<Index>(expected.size()), found.size()) << what;
   const double n = static_cast<double>(s.size()), norm = f.w.norm();
   for (Index k = 0; k < found.size(); ++k) EXPECT_NEAR(found(k), expected[static_cast<std::size_t>(k)], 100 * n * epsilon * norm) << what;

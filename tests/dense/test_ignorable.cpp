@@ -1,6 +1,7 @@
 // The removal of zero roots against exact ranks in integers and the pseudo-inverse of theory (T10).
 #include "support/random_matrices.h"
 #include "gyromode/dense/ignorable.h"
+#include "gyromode/lapack/small.h"
 
 #include <gtest/gtest.h>
 
@@ -88,7 +89,7 @@ ZeroCount by_pseudo_inverse(const Matrix& gamma, const Matrix& k) {
   z.coupled = rank2 / 2;
   const Matrix kept = null * svd.matrixV().rightCols(z.null - rank2);
   const Matrix f = kept.transpose() * (Matrix::Identity(n, n) + gamma.transpose() * pseudo_inverse * gamma) * kept;
-  const Vector values = f.rows() > 0 ? Vector(Eigen::SelfAdjointEigenSolver<Matrix>(f).eigenvalues()) : Vector();
+  const Vector values = f.rows() > 0 ? Vector(small::symmetric_eigenvalues(f)) : Vector();
   z.regular = (values.array().abs() > tiny).all();
   z.negative_at_zero = z.negative + z.coupled + (values.array() > 0).count();
   return z;

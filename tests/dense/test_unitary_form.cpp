@@ -1,11 +1,11 @@
 // The n × n real form of any system by a unitary matrix: its eigenvalues are ω², its transformation is unitary and symplectic, and motions obey it.
 #include "support/random_matrices.h"
 #include "gyromode/dense/unitary_form.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/system/laws.h"
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<Complex> squares(const System& s) {
   a.bottomLeftCorner(n, n) = -mass.solve(s.stiffness());
   a.bottomRightCorner(n, n) = -mass.solve(s.gyroscopic());
   const Matrix a2 = a * a;
-  const ComplexVector values = Eigen::EigenSolver<Matrix>(a2, false).eigenvalues();
+  const ComplexVector values = small::eigenvalues(a2);
   return {values.begin(), values.end()};
 }
 
@@ -51,7 +51,7 @@ TEST_P(UnitaryFormOf, HasTheSquaresOfAllFrequencies) {
   // Each ω² once where −ω² is a root twice.
   const auto truth = squares(s);
   const double size = f.w.norm();
-  const ComplexVector found = Eigen::EigenSolver<Matrix>(f.w, false).eigenvalues();
+  const ComplexVector found = small::eigenvalues(f.w);
   for (const Complex& w : found) {
     double nearest = size;
     for (const Complex& z : truth) nearest = std::min(nearest, std::abs(z + w));

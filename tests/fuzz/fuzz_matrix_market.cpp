@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Matrix a;
   try {
     a = gyromode::io::parse_matrix_market({reinterpret_cast<const char*>(data), size}, "fuzz.mtx");
-  } catch (const Unreadable&) {
+  } catch (const gyromode::Unreadable&) {
     return 0;
   }
   if (a.size() > 100'000) return 0;  // nearly all zeros, and slow to walk

@@ -1,4 +1,4 @@
-// libFuzzer: whatever the bytes, parse_model() returns a model that keeps its promises or throws Unreadable or LawBroken, with one
+// libFuzzer: whatever the bytes, parse_model() returns a model that keeps the laws or throws Unreadable or LawBroken, with one
 // line of message. No file is read: matrix files are sought in a folder that does not exist.
 #include "gyromode/base/error.h"
 #include "gyromode/io/model.h"
@@ -11,11 +11,11 @@
 
 namespace {
 
-using LawBroken;
+using gyromode::LawBroken;
 using gyromode::FirstOrderSystem;
 using gyromode::Matrix;
 using gyromode::System;
-using Unreadable;
+using gyromode::Unreadable;
 using gyromode::io::Model;
 
 constexpr const char* name = "/gyromode-fuzz-folder-that-does-not-exist/fuzz.toml";

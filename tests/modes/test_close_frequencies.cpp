@@ -1,13 +1,12 @@
 // Families of systems with pairs of frequencies from 1e-2 down to 1e-14 apart, in every class: two systems of one kind, the second 1 + δ times as fast, in coordinates that mix
 // them. None may be lost, none invented, and what is determined, the span of a pair, must be right where its vectors cannot be.
 #include "gyromode/base/rounding.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/spacecraft.h"
 #include "support/random_matrices.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,7 +76,7 @@ Family family(Kind kind, double delta, std::uint64_t seed) {
 
 // ‖H applied to the span of a pair‖ in the sense of its own 2 × 2 matrix: min over B of ‖K V + G V B + M V B²‖ with V orthonormal is what an invariant pair must make small.
 double invariant_pair_residual(const System& s, const ComplexMatrix& x, const Eigen::Vector2d& omega) {
-  const ComplexMatrix v = Eigen::HouseholderQR<ComplexMatrix>(x).householderQ() * ComplexMatrix::Identity(x.rows(), 2);
+  const ComplexMatrix v = small::orthonormal_columns(x);
   const ComplexMatrix r = v.adjoint() * x;
   const Eigen::Matrix2cd b = r * Eigen::Vector2cd(Complex(0, omega(0)), Complex(0, omega(1))).asDiagonal() * r.inverse();
   return (s.stiffness() * v + s.gyroscopic() * v * b + s.mass() * v * b * b).norm();
@@ -120,7 +119,7 @@ TEST_P(CloseFrequencies, NoneLostNoneInvented) {
         for (std::size_t i = 0; i < exact.size(); i += 2) {
           ComplexMatrix x(f.system.size(), 2);
           x << r.modes[i].shape.normalized(), r.modes[i + 1].shape.normalized();
-          const double independent = Eigen::JacobiSVD<ComplexMatrix>(x).singularValues()(1);
+          const double independent = small::singular_values(x)(1);
           EXPECT_GE(independent, 1e-3) << what << ": the two shapes of a pair point the same way";
           EXPECT_LE(invariant_pair_residual(f.system, x, {r.modes[i].omega, r.modes[i + 1].omega}), 1e-11 * f.system.stiffness().norm()) << what;
         }

@@ -5,13 +5,12 @@
 #include "support/random_system.h"
 
 #include "gyromode/base/rounding.h"
+#include "gyromode/lapack/small.h"
+#include "gyromode/lapack/triangular.h"
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/modes.h"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -124,7 +123,7 @@ TEST(Properties, CongruenceOfCoordinates) {
     for (Index j = 0; j < n; ++j) {
       for (Index i = 0; i < n; ++i) s(i, j) += 0.25 * quarter(source);
     }
-    const Vector singular = Eigen::SelfAdjointEigenSolver<Matrix>(s.transpose() * s).eigenvalues().cwiseMax(0).cwiseSqrt();
+    const Vector singular = small::symmetric_eigenvalues(s.transpose() * s).cwiseMax(0).cwiseSqrt();
     const double condition = singular(n - 1) / singular(0);
     if (!(condition < 100)) return;
     ++compared;
@@ -158,9 +157,9 @@ TEST(Properties, DampingMakesAsManyRootsGrowAsKHasNegative) {
     const Matrix m = s.symmetric(n, 0), g = static_cast<double>(s.integer(0, 2)) * s.skew(n), damping = s.symmetric(n, 0);
     Matrix companion = Matrix::Zero(2 * n, 2 * n);
     companion.topRightCorner(n, n).setIdentity();
-    companion.bottomLeftCorner(n, n) = -m.inverse() * k;
-    companion.bottomRightCorner(n, n) = -m.inverse() * (g + damping);
-    const Eigen::VectorXcd roots = Eigen::EigenSolver<Matrix>(companion, false).eigenvalues();
+    companion.bottomLeftCorner(n, n) = -small::inverse(m) * k;
+    companion.bottomRightCorner(n, n) = -small::inverse(m) * (g + damping);
+    const Eigen::VectorXcd roots = small::eigenvalues(companion);
     const Index growing = (roots.real().array() > 1e-9).count();
     EXPECT_EQ(growing, negative) << seed;
     EXPECT_EQ(find_modes(System(m, g, k)).index_balance.negative, growing) << seed;
@@ -199,8 +198,8 @@ struct LogDeterminant {
 LogDeterminant log_determinant(const Matrix& a) {
   const Vector scale = a.diagonal().cwiseSqrt().cwiseInverse();
   const Matrix unit = scale.asDiagonal() * a * scale.asDiagonal();
-  const Matrix l = Eigen::LLT<Matrix>(unit).matrixL();
-  const double smallest = Eigen::SelfAdjointEigenSolver<Matrix>(unit).eigenvalues()(0);
+  const Matrix l = lapack::Cholesky(unit).lower();
+  const double smallest = small::symmetric_eigenvalues(unit)(0);
   const double n = static_cast<double>(a.rows());
   return {2 * l.diagonal().array().log().sum() - 2 * scale.array().log().sum(), 8 * n * n * epsilon / std::max(smallest, n * epsilon)};
 }
@@ -252,7 +251,7 @@ TEST(Properties, EnergyIsOrthogonal) {
 std::pair<Index, bool> negative_at(const System& s, double sigma) {
   const Vector d = s.mass().diagonal().cwiseSqrt().cwiseInverse();
   const ComplexMatrix h = d.asDiagonal() * s.impedance(sigma) * d.asDiagonal();
-  const Vector e = Eigen::SelfAdjointEigenSolver<ComplexMatrix>(h).eigenvalues();
+  const Vector e = small::hermitian_eigenvalues(h);
   return {(e.array() < 0).count(), e.cwiseAbs().minCoeff() > 1e-11 * e.cwiseAbs().maxCoeff()};
 }
 

@@ -2,11 +2,10 @@
 // negative definite.
 #include "analytic/closed_forms.h"
 
+#include "gyromode/lapack/small.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/system/scale.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,7 +43,7 @@ Matrix random_orthogonal(Index n, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   Matrix a(n, n);
   for (double& x : a.reshaped()) x = normal(random);
-  return Eigen::HouseholderQR<Matrix>(a).householderQ() * Matrix::Identity(n, n);
+  return small::orthogonal_factor(a);
 }
 
 struct Options {

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "gyromode/base/types.h"
-
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
+#include "gyromode/lapack/small.h"
+#include "gyromode/lapack/triangular.h"
 
 #include <random>
 
@@ -38,7 +37,7 @@ struct Source {
     for (double& x : a.reshaped()) x = static_cast<double>(integer(-most, most));
     return a;
   }
-  Matrix orthogonal(Index n) { return Eigen::HouseholderQR<Matrix>(gaussian(n, n)).householderQ() * Matrix::Identity(n, n); }
+  Matrix orthogonal(Index n) { return small::orthogonal_factor(gaussian(n, n)); }
   Matrix skew(Index n) {
     const Matrix a = gaussian(n, n);
     return a - a.transpose();
@@ -53,6 +52,6 @@ struct Source {
   }
 };
 
-inline Matrix lower_root(const Matrix& k) { return Eigen::LLT<Matrix>(k).matrixL(); }
+inline Matrix lower_root(const Matrix& k) { return lapack::Cholesky(k).lower(); }
 
 }  // namespace gyromode::support

@@ -1,8 +1,7 @@
 #include "random_system.h"
 
+#include "gyromode/lapack/small.h"
 #include "gyromode/system/laws.h"
-
-#include <Eigen/QR>
 
 #include <cmath>
 
@@ -47,7 +46,7 @@ Matrix integers(Source& s, Index rows, Index cols, Index most) {
   return a;
 }
 
-Matrix orthogonal(Source& s, Index n) { return Eigen::HouseholderQR<Matrix>(gaussian(s, n, n)).householderQ() * Matrix::Identity(n, n); }
+Matrix orthogonal(Source& s, Index n) { return small::orthogonal_factor(gaussian(s, n, n)); }
 
 // Eigenvalues of K (relative to M = 1): the shapes of spectrum that break solvers.
 Vector spectrum(Source& s, Index n, std::string& description) {

@@ -179,14 +179,15 @@ void add_field(const Answer<T>& answer, const T (&units)[2], Index zeros, const 
 const Eigen::Matrix<double, 2, 5> in_plane_loads = (Eigen::Matrix<double, 2, 5>() << 1, 1, 1, 1, 0, 0, 0, 0, 0, 1).finished();
 const Eigen::Matrix<double, 2, 3> out_of_plane_loads = (Eigen::Matrix<double, 2, 3>() << 0, 0, 1, 1, 1, 0).finished();
 
-}  // namespace
-
-namespace {
-
 // The kinds of in_plane_rows() and out_of_plane_rows().
-constexpr EntryKind o = EntryKind::none, r = EntryKind::real, i = EntryKind::imaginary;
-constexpr std::array<RowKinds, 5> in_plane_kinds{{{r, i, o, o, o, o}, {i, r, o, o, o, o}, {o, o, o, i, r, o}, {o, o, o, r, i, o}, {o, o, o, o, o, r}}};
-constexpr std::array<RowKinds, 3> out_of_plane_kinds{{{o, o, o, r, o, o}, {o, o, o, o, r, o}, {o, o, r, o, o, o}}};
+constexpr std::array<RowKinds, 5> in_plane_kinds = [] {
+  constexpr EntryKind o = EntryKind::none, r = EntryKind::real, i = EntryKind::imaginary;
+  return std::array<RowKinds, 5>{{{r, i, o, o, o, o}, {i, r, o, o, o, o}, {o, o, o, i, r, o}, {o, o, o, r, i, o}, {o, o, o, o, o, r}}};
+}();
+constexpr std::array<RowKinds, 3> out_of_plane_kinds = [] {
+  constexpr EntryKind o = EntryKind::none, r = EntryKind::real;
+  return std::array<RowKinds, 3>{{{o, o, o, r, o, o}, {o, o, o, o, r, o}, {o, o, r, o, o, o}}};
+}();
 
 // Features meet where their Gram matrix says so; a pattern meets the features that it answers to, of those that reach its kept coordinate; patterns that answer to none are equal.
 template <std::size_t features>

@@ -17,8 +17,8 @@ namespace gyromode::dense {
 
 namespace {
 
-Matrix at(const Impedance& h, double omega, const Matrix&) { return h.real_at(omega); }
-ComplexMatrix at(const Impedance& h, double omega, const ComplexMatrix&) { return h.complex_at(omega); }
+Matrix matrix_at(const Impedance& h, double omega, const Matrix&) { return h.real_at(omega); }
+ComplexMatrix matrix_at(const Impedance& h, double omega, const ComplexMatrix&) { return h.complex_at(omega); }
 
 Matrix slope_at(const Impedance& h, double omega, const Matrix&) { return h.real_slope_at(omega); }
 ComplexMatrix slope_at(const Impedance& h, double omega, const ComplexMatrix&) { return h.complex_slope_at(omega); }
@@ -38,7 +38,7 @@ template <class AnyMatrix>
 void resolve(const Impedance& h, Eigen::Ref<Vector> omega, AnyMatrix& x) {
   constexpr double near = 1e-4;
   const double sigma = omega.mean();
-  const ComplexMatrix a = (x.adjoint() * (at(h, sigma, AnyMatrix()) * x)).template cast<Complex>();
+  const ComplexMatrix a = (x.adjoint() * (matrix_at(h, sigma, AnyMatrix()) * x)).template cast<Complex>();
   const ComplexMatrix b = (x.adjoint() * (slope_at(h, sigma, AnyMatrix()) * x)).template cast<Complex>();
   auto roots = self_adjoint_pencil(0.5 * (a + a.adjoint()), 0.5 * (b + b.adjoint()));  // H(σ + δ) = H(σ) − δH′(σ) to first order
   if (static_cast<Index>(roots.size()) != omega.size()) return;
@@ -60,7 +60,7 @@ template <class AnyMatrix>
 AnyMatrix null_shapes(const Impedance& h, double omega, Index count) {
   const Vector weight = h.weight(omega);
   const Vector d = weight.unaryExpr([](double w) { return w > 0 ? power_of_two_near(1 / std::sqrt(w)) : 1; });
-  AnyMatrix matrix = scaled(at(h, omega, AnyMatrix()), d);
+  AnyMatrix matrix = scaled(matrix_at(h, omega, AnyMatrix()), d);
   auto factor = lapack::factor_indefinite(matrix);
   AnyMatrix x = start<AnyMatrix>(h.size(), count);
   for (int step = 0; step < 3; ++step) {

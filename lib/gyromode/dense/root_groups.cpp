@@ -101,8 +101,9 @@ ComplexVector partner_of(const std::vector<PencilRoot>& found, std::size_t i) {
 
 // Roots of one group that may meet on the axis: the Hermitian pencil of 𝓔 and −j𝒮 on their span, W = QR, 𝓔Q = (𝓔W)R⁻¹.
 bool resolve(const Upper& u, const std::vector<Index>& group, std::vector<EvenRoot>& roots) {
-  const auto [q, r] = small::qr(u.w(Eigen::all, group));
-  const auto onto = [&](const ComplexMatrix& image) -> ComplexMatrix { return q.adjoint() * r.template triangularView<Eigen::Upper>().template solve<Eigen::OnTheRight>(ComplexMatrix(image(Eigen::all, group))); };
+  const small::Qr f = small::qr(u.w(Eigen::all, group));
+  const ComplexMatrix& q = f.q;
+  const auto onto = [&](const ComplexMatrix& image) -> ComplexMatrix { return q.adjoint() * f.r.template triangularView<Eigen::Upper>().template solve<Eigen::OnTheRight>(ComplexMatrix(image(Eigen::all, group))); };
   ComplexMatrix a = onto(u.e);
   ComplexMatrix b = Complex(0, -1) * onto(u.s);
   a = 0.5 * (a + a.adjoint().eval());

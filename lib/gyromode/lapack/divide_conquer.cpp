@@ -4,7 +4,7 @@
 #include "gyromode/lapack/status.h"
 #include "gyromode/lapack/team.h"
 
-#include <lapacke.h>
+#include "gyromode/lapack/lapacke_complex.h"
 
 #include <algorithm>
 #include <cmath>

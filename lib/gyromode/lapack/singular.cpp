@@ -3,7 +3,7 @@
 #include "gyromode/lapack/reflectors.h"
 #include "gyromode/lapack/status.h"
 
-#include <lapacke.h>
+#include "gyromode/lapack/lapacke_complex.h"
 
 #include <algorithm>
 

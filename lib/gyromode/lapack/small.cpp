@@ -1,7 +1,7 @@
 #include "gyromode/lapack/small.h"
 
-#include <Eigen/Dense>
-#include <unsupported/Eigen/MatrixFunctions>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 namespace gyromode::small {
 
@@ -28,39 +28,6 @@ Tridiagonal tridiagonalised(const ComplexMatrix& a) {
   return {t.matrixQ(), t.diagonal(), t.subDiagonal()};
 }
 
-Vector singular_values(const ComplexMatrix& a) { return Eigen::JacobiSVD<ComplexMatrix>(a).singularValues(); }
-
-Svd singular_value_decomposition(const ComplexMatrix& a) {
-  const Eigen::JacobiSVD<ComplexMatrix> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return {svd.singularValues(), svd.matrixU(), svd.matrixV()};
-}
-
-Svd right_singular(const ComplexMatrix& a) {
-  const Eigen::BDCSVD<ComplexMatrix> svd(a, Eigen::ComputeThinV);
-  return {svd.singularValues(), {}, svd.matrixV()};
-}
-
-Qr qr(const ComplexMatrix& a) {
-  const Eigen::HouseholderQR<ComplexMatrix> f(a);
-  const Index least = std::min(a.rows(), a.cols());
-  return {f.householderQ() * ComplexMatrix::Identity(a.rows(), least), f.matrixQR().topRows(least).triangularView<Eigen::Upper>()};
-}
-
-Matrix orthonormal_columns(const Matrix& a) { return Eigen::HouseholderQR<Matrix>(a).householderQ() * Matrix::Identity(a.rows(), a.cols()); }
-ComplexMatrix orthonormal_columns(const ComplexMatrix& a) { return Eigen::HouseholderQR<ComplexMatrix>(a).householderQ() * ComplexMatrix::Identity(a.rows(), a.cols()); }
-Matrix orthogonal_factor(const Matrix& a) { return Eigen::HouseholderQR<Matrix>(a).householderQ(); }
-
-RankedQr ranked_qr(const Matrix& a, double threshold) {
-  Eigen::ColPivHouseholderQR<Matrix> f(a);
-  f.setThreshold(threshold);
-  return {f.rank(), f.householderQ() * Matrix::Identity(a.rows(), f.rank())};
-}
-
-std::vector<Index> largest_columns_first(const ComplexMatrix& a) {
-  const auto order = Eigen::ColPivHouseholderQR<ComplexMatrix>(a).colsPermutation().indices().eval();
-  return {order.begin(), order.end()};
-}
-
 Matrix solve(const Matrix& a, const Matrix& b) { return a.partialPivLu().solve(b); }
 ComplexMatrix solve(const ComplexMatrix& a, const ComplexMatrix& b) { return a.partialPivLu().solve(b); }
 Matrix inverse(const Matrix& a) { return a.inverse(); }
@@ -72,13 +39,5 @@ Pivots pivots(const ComplexMatrix& a) {
   const Eigen::FullPivLU<ComplexMatrix> f(a);
   return {f.matrixLU().diagonal(), static_cast<int>(f.permutationP().determinant() * f.permutationQ().determinant())};
 }
-
-Schur schur(const ComplexMatrix& a) {
-  const Eigen::ComplexSchur<ComplexMatrix> f(a);
-  return {f.matrixU(), f.matrixT()};
-}
-
-ComplexVector eigenvalues(const Matrix& a) { return Eigen::EigenSolver<Matrix>(a, false).eigenvalues(); }
-Matrix exponential(const Matrix& a) { return a.exp(); }
 
 }  // namespace gyromode::small

@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Decompositions by Eigen of small matrices, some tens of rows, where a call of LAPACK costs more than the work, and of those for which full pivoting or one-sided Jacobi is wanted. They are templates that take the
-/// compiler seconds each: only small.cpp includes them.
+/// compiler seconds each: only small*.cpp include them.
 namespace gyromode::small {
 
 /// A = V diag(values) Vᴴ of a Hermitian matrix (n × n, lower triangle read), values ascending.

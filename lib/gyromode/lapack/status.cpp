@@ -3,7 +3,7 @@
 #include "gyromode/base/error.h"
 
 #include <fmt/format.h>
-#include <lapacke.h>
+#include "gyromode/lapack/lapacke_complex.h"
 
 #include <cmath>
 #include <new>

@@ -3,7 +3,7 @@
 #include "gyromode/lapack/status.h"
 #include "gyromode/lapack/tridiagonal.h"
 
-#include <lapacke.h>
+#include "gyromode/lapack/lapacke_complex.h"
 
 namespace gyromode::lapack {
 

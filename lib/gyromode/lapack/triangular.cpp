@@ -5,7 +5,7 @@
 #include "gyromode/lapack/status.h"
 
 #include <cblas.h>
-#include <lapacke.h>
+#include "gyromode/lapack/lapacke_complex.h"
 
 #include <utility>
 #include <vector>
