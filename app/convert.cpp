@@ -4,9 +4,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/dense/constant_form.h"
-#include "gyromode/dense/spectrum.h"
 #include "gyromode/dense/unitary_form.h"
-#include "gyromode/discrete/discretise.h"
 #include "gyromode/io/matrix_market.h"
 
 #include <fmt/format.h>
@@ -30,15 +28,14 @@ struct Options {
   std::optional<Index> elements;
 };
 
-void write_system(const fs::path& folder, const System& s, const std::string& title) {
-  io::write_matrix_market(folder / "M.mtx", s.mass(), io::Symmetry::symmetric, title + ": mass M");
-  io::write_matrix_market(folder / "G.mtx", s.gyroscopic(), io::Symmetry::skew_symmetric, title + ": gyroscopic G");
-  io::write_matrix_market(folder / "K.mtx", s.stiffness(), io::Symmetry::symmetric, title + ": stiffness K");
-}
-
-void write_system(const fs::path& folder, const FirstOrderSystem& s, const std::string& title) {
-  io::write_matrix_market(folder / "I.mtx", s.inertia(), io::Symmetry::symmetric, title + ": inertia I of I q' + G q = 0");
-  io::write_matrix_market(folder / "G.mtx", s.gyroscopic(), io::Symmetry::skew_symmetric, title + ": gyroscopic G of I q' + G q = 0");
+// "M.mtx, G.mtx, K.mtx", and the files of these names.
+std::string write_matrices(const fs::path& folder, const Model& model) {
+  std::string names;
+  for (const ModelKind::NamedMatrix& a : model.body->matrices()) {
+    io::write_matrix_market(folder / (a.name + ".mtx"), *a.matrix, a.skew ? io::Symmetry::skew_symmetric : io::Symmetry::symmetric, model.title + ": " + a.meaning);
+    names += fmt::format("{}{}.mtx", names.empty() ? "" : ", ", a.name);
+  }
+  return names;
 }
 
 // W.mtx, and with it U.mtx = [displacement velocity]; D.mtx and Q.mtx where W = DᵀD.
@@ -73,10 +70,10 @@ std::string write_unitary_form(const fs::path& folder, const System& s, const Op
 
 ExitCode run(const Options& o) {
   if (o.transformation && !o.realified) throw UsageError("--transformation goes with --realified");
-  io::Model model = o.source.read();
-  if (const auto* craft = std::get_if<Spacecraft>(&model.system)) model.system = System(discretise(*craft, Mesh{o.elements.value_or(Mesh{}.elements), 1}));
+  Model model = o.source.read();
+  if (model.body->matrices().empty()) model.body = model.body->discretised(o.elements);
   else if (o.elements) throw UsageError("--elements belongs to spacecraft models");
-  const auto* second_order = std::get_if<System>(&model.system);
+  const System* second_order = model.body->second_order();
   std::optional<dense::ConstantForm> form;  // symmetric, where there is one
   if (o.realified) {
     if (!second_order) throw NotApplicable("--realified is for models of second order: eigenvalues of W are their ω²");
@@ -89,10 +86,7 @@ ExitCode run(const Options& o) {
   std::error_code error;
   fs::create_directories(o.folder, error);
   if (!fs::is_directory(o.folder)) throw Unreadable(o.folder, "cannot be made a folder: a place to write matrices was expected");
-  std::visit([&](const auto& system) {
-    if constexpr (!std::is_same_v<std::decay_t<decltype(system)>, Spacecraft>) write_system(o.folder, system, model.title);
-  }, model.system);
-  std::string names = second_order ? "M.mtx, G.mtx, K.mtx" : "I.mtx, G.mtx";
+  std::string names = write_matrices(o.folder, model);
   if (form) names += write_constant_form(o.folder, *second_order, *form, o, model.title);
   else if (o.realified) names += write_unitary_form(o.folder, *second_order, o, model.title);
   if (!o.quiet && model.ignored) fmt::print(stderr, "gyromode: {}\n", in_words(*model.ignored));

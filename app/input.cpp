@@ -34,7 +34,7 @@ void ModelSource::add_to(CLI::App& verb) {
 
 // A broken promise is known by its matrix; which files the matrices came from is known here.
 template <class Reader>
-io::Model promised(const std::string& files, Reader&& reader) {
+Model promised(const std::string& files, Reader&& reader) {
   try {
     return reader();
   } catch (const LawBroken& e) {
@@ -43,19 +43,15 @@ io::Model promised(const std::string& files, Reader&& reader) {
   }
 }
 
-io::Model ModelSource::admitted(io::Model m) const {
+Model ModelSource::admitted(Model m) const {
   if (coupling_tolerance == 0) return m;
-  const auto reduce = [&](auto& system) {
-    m.ignored = ignored_couplings(system, coupling_tolerance);
-    system = without_ignored_couplings(system, coupling_tolerance);
-  };
-  if (auto* second_order = std::get_if<System>(&m.system)) reduce(*second_order);
-  else if (auto* first_order = std::get_if<FirstOrderSystem>(&m.system)) reduce(*first_order);
-  else throw NotApplicable("--coupling-tolerance is for matrix models: the couplings of a spacecraft follow from its parts");
+  auto [body, ignored] = m.body->without_couplings(coupling_tolerance);
+  m.body = std::move(body);
+  m.ignored = ignored;
   return m;
 }
 
-io::Model ModelSource::read() const {
+Model ModelSource::read() const {
   const bool matrices = !mass.empty() || !gyroscopic.empty() || !stiffness.empty();
   if (model.empty() == !matrices) {
     throw UsageError(matrices ? "give a model file or --mass and --stiffness, not both"

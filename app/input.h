@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/io/model.h"
+#include "gyromode/io/read_model.h"
 #include "gyromode/spectrum/window.h"
 
 #include <CLI/CLI.hpp>
@@ -17,9 +17,9 @@ struct ModelSource {
 
   void add_to(CLI::App& verb);
   /// The model as every verb sees it: read, and without the couplings that are to be left out.
-  io::Model read() const;
+  Model read() const;
   /// The same of a model already made: its system without those couplings. Throws NotApplicable for a spacecraft, whose couplings follow from its parts.
-  io::Model admitted(io::Model model) const;
+  Model admitted(Model model) const;
 };
 
 /// A window of frequencies, as [--below W | --window A:B].

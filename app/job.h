@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <utility>
-#include <variant>
 
 namespace gyromode::app {
 
-/// What every verb on a model does: read it, work on it, and know how long each took.
+/// What every verb on a model does: read it, ask it, and know how long each took.
 class Job {
  public:
   Job(const ModelSource& source, const OutputOption& output) : model_(source.read()) {
@@ -21,15 +21,15 @@ class Job {
     if (model_.ignored) output.say(in_words(*model_.ignored));
   }
 
-  const io::Model& model() const { return model_; }
-  /// Puts another system in the place of the model's: its approximation.
-  void replace(System system) { model_.system = std::move(system); }
+  const Model& model() const { return model_; }
+  /// Puts another body in the place of the model's: its approximation.
+  void replace(std::shared_ptr<const ModelKind> body) { model_.body = std::move(body); }
   const io::Timings& timings() const { return timings_; }
 
-  /// The result of `work` on the system, second or first order; its time counts as solving.
-  template <class Work>
-  auto solve(Work&& work) {
-    auto result = std::visit(std::forward<Work>(work), model_.system);
+  /// What the question finds; its time counts as solving.
+  template <class Question>
+  auto answer(Question&& question) {
+    auto result = question(*model_.body);
     timings_.solve = watch_.lap();
     return result;
   }
@@ -38,7 +38,7 @@ class Job {
   static constexpr Index worth_a_word = 1000;  // from here on a solve takes seconds
 
   Stopwatch watch_;
-  io::Model model_;
+  Model model_;
   io::Timings timings_;
 };
 

@@ -5,10 +5,6 @@
 #include "gyromode/base/error.h"
 #include "gyromode/io/nearest.h"
 #include "gyromode/base/number.h"
-#include "gyromode/modes/discrete.h"
-#include "gyromode/modes/keep.h"
-#include "gyromode/modes/modes.h"
-#include "gyromode/modes/spacecraft.h"
 
 #include <fmt/format.h>
 
@@ -32,73 +28,45 @@ struct Options {
   std::string keep;
 };
 
-constexpr Index lowest_of_a_spacecraft = 10;
+constexpr Index lowest_of_infinitely_many = 10;
 
-dense::Method method_named(const std::string& name, bool spacecraft) {
-  if (name == "auto" || (spacecraft && (name == "exact" || name == "discrete"))) return dense::Method::automatic;
-  if (name == "quadrature") return dense::Method::quadrature;
-  if (name == "hidden") return dense::Method::hidden;
-  if (name == "general") return dense::Method::general;
-  if (name == "first-order") return dense::Method::first_order;
-  if (name == "symmetric-2n") return dense::Method::symmetric_2n;
-  throw NotApplicable(fmt::format("method '{}' serves spacecraft models with continuum booms, and this is a matrix model; 'auto', 'quadrature', 'hidden', 'general', "
-                                              "'first-order' or 'symmetric-2n' apply", name));
-}
-
-// The positions of comma-separated labels.
-std::vector<Index> kept_coordinates(const std::string& list, const Labels& labels) {
-  std::vector<Index> kept;
+// Comma-separated labels of the model.
+Labels labels_of(const std::string& list, const Labels& labels) {
+  Labels chosen;
   const std::vector<std::string_view> known(labels.begin(), labels.end());
   std::istringstream words(list);
   for (std::string label; std::getline(words, label, ',');) {
-    const auto at = std::find(labels.begin(), labels.end(), label);
-    if (at == labels.end()) throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model: did you mean '{}'?", label, io::nearest(label, known)));
-    const Index i = at - labels.begin();
-    if (std::find(kept.begin(), kept.end(), i) != kept.end()) throw UsageError(fmt::format("--keep: '{}' is given twice", label));
-    kept.push_back(i);
+    if (std::find(labels.begin(), labels.end(), label) == labels.end()) throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model: did you mean '{}'?", label, io::nearest(label, known)));
+    if (std::find(chosen.begin(), chosen.end(), label) != chosen.end()) throw UsageError(fmt::format("--keep: '{}' is given twice", label));
+    chosen.push_back(label);
   }
-  return kept;
+  return chosen;
 }
 
-ModesResult solved(Job& job, const Options& o, ModesOptions options) {
-  const auto* craft = std::get_if<Spacecraft>(&job.model().system);
-  options.method = method_named(o.method, craft != nullptr);
-  if (!craft) {
-    if (o.elements) throw UsageError("--elements belongs to --method discrete of a spacecraft model");
-    if (!o.keep.empty()) {
-      const auto* system = std::get_if<System>(&job.model().system);
-      if (!system) throw NotApplicable("--keep condenses M, G, K of second order; this model is of first order");
-      const std::vector<Index> kept = kept_coordinates(o.keep, system->labels());
-      return job.solve([&](const auto&) { return find_modes_keeping(*system, kept, options); });
-    }
-    return job.solve([&](const auto& system) { return find_modes(system, options); });
-  }
-  if (!o.keep.empty()) throw NotApplicable("--keep condenses matrix models; a spacecraft with exact booms is condensed onto its body already");
-  if (o.elements && o.method != "discrete") throw UsageError("--elements belongs to --method discrete");
-  const bool infinite = o.method != "discrete" && !(craft->cables().empty() && craft->beams().empty());
-  if (o.all && infinite) {
-    throw UsageError("--all: a spacecraft with exact booms has infinitely many modes; give --below W, --window A:B or --lowest N");
-  }
-  if (!o.all && !o.window.given() && !options.lowest && infinite) options.lowest = lowest_of_a_spacecraft;
-  if (options.window.open() && !options.lowest && infinite) throw UsageError("--window: a spacecraft with exact booms has infinitely many modes; the upper end is needed");
-  if (o.method != "discrete") return job.solve([&](const auto& system) { return find_modes(system, options); });
-  const Mesh mesh{o.elements.value_or(Mesh{}.elements), 1};
-  const Spacecraft spacecraft = *craft;
-  job.replace(discretise(spacecraft, mesh));
-  return job.solve([&](const auto&) { return find_modes(spacecraft, mesh, options); });
+// A spacecraft has infinitely many modes: how many of them.
+void bound(ModesOptions& options, const Options& o) {
+  if (o.all) throw UsageError("--all: a spacecraft with exact booms has infinitely many modes; give --below W, --window A:B or --lowest N");
+  if (options.lowest) return;
+  if (!o.window.given()) options.lowest = lowest_of_infinitely_many;
+  else if (options.window.open()) throw UsageError("--window: a spacecraft with exact booms has infinitely many modes; the upper end is needed");
 }
 
 ExitCode run(const Options& given) {
   Options o = given;
   Job job(o.source, o.output);
-  o.output.pictures = std::holds_alternative<Spacecraft>(job.model().system) && o.method != "discrete";
+  if (o.elements && o.method != "discrete") throw UsageError("--elements belongs to --method discrete of a spacecraft model");
+  ModesRequest request;
+  request.options.window = o.window.read();
+  request.options.lowest = o.lowest;
+  request.method = o.method;
+  if (!o.keep.empty()) request.keep = labels_of(o.keep, job.model().labels());
+  if (o.method == "discrete") job.replace(job.model().body->discretised(o.elements));
+  const bool infinite = !job.model().body->finite();
+  if (infinite) bound(request.options, o);
+  o.output.pictures = job.model().body->transcendental();
   const io::Format format = o.output.chosen();
-  o.shapes = o.shapes || format == io::Format::svg;
-  ModesOptions options;
-  options.window = o.window.read();
-  options.lowest = o.lowest;
-  options.shapes = o.shapes;
-  const ModesResult result = solved(job, o, options);
+  request.options.shapes = o.shapes || format == io::Format::svg;
+  const ModesResult result = job.answer([&](const ModelKind& m) { return m.modes(request); });
   o.output.write(document(job.model(), result, job.timings(), format));
   const Coverage& c = result.coverage;
   if (c.window.a != c.requested.a || (c.window.b != c.requested.b && !c.requested.open())) {

@@ -5,8 +5,6 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/io/initial_state.h"
-#include "gyromode/motion/frequency_response.h"
-#include "gyromode/motion/spacecraft_response.h"
 
 #include <fmt/format.h>
 
@@ -43,56 +41,15 @@ Vector times_of(const Options& o) {
   return t;
 }
 
-template <class AnyResponse>
-void describe(const AnyResponse& r, const Response& inner, const Vector& times, io::ResponseReport& report) {
-  report.history = r.at(times);
-  report.modal = r.modal();
-  report.stability = inner.stability();
-  report.initial_energy = inner.initial_energy();
-  report.zero_energy = inner.zero_energy();
-  report.remainder_energy = inner.remainder_energy();
-  report.departure = r.departure();
-  report.phase_error = r.phase_error(times(times.size() - 1));
-  report.balance_closed = inner.balance_closed();
-  for (Index k = 0; k < times.size(); ++k) {
-    if (!report.history.q.col(k).allFinite()) throw UsageError(fmt::format("the motion grows beyond what numbers hold at t = {:g}: ask for less time", times(k)));
-  }
+ResponseReport moved(const ModelKind& m, const Options& o) {
+  if (!m.second_order_in_time()) return m.response({}, {}, {}, {});  // which says why not
+  const State start = o.initial.empty() ? State::rest(m.size()) : io::read_initial_state(o.initial, m.labels());
+  return m.response(start, forces_of(o.forces, m.labels()), points_of(o.points), times_of(o));
 }
 
-io::ResponseReport moved(const System& system, const Options& o) {
-  if (!o.points.empty()) throw UsageError("--points are places on the booms of a spacecraft model");
-  const State start = o.initial.empty() ? State::rest(system.size()) : io::read_initial_state(o.initial, system.labels());
-  io::ResponseReport report;
-  report.labels = system.labels();
-  const Response r(system, start, forces_of(o.forces, system.labels()));
-  describe(r, r, times_of(o), report);
-  return report;
-}
+FrequencyReport swept(const ModelKind& m, const Options& o) { return m.frequency_response(amplitude_of(o.forces, m.labels()), frequency_grid("--frequencies", o.frequencies)); }
 
-io::ResponseReport moved(const Spacecraft& spacecraft, const Options& o) {
-  const State start = o.initial.empty() ? State::rest(6) : io::read_initial_state(o.initial, spacecraft.labels());
-  const SpacecraftResponse r(spacecraft, start, forces_of(o.forces, spacecraft.labels()), points_of(o.points));
-  io::ResponseReport report;
-  report.labels = r.labels();
-  report.remark = fmt::format("booms as {} elements of degree {} each, {} coordinates about the mass centre, which moves by itself; booms start undeformed", r.mesh().elements, r.mesh().degree,
-                              r.coordinates());
-  describe(r, r.about_centre(), times_of(o), report);
-  return report;
-}
-
-io::ResponseReport moved(const FirstOrderSystem&, const Options&) {
-  throw NotApplicable("response needs a model of second order, with displacements and velocities; this one is of first order");
-}
-
-io::FrequencyReport swept(const System& system, const Options& o) {
-  return {system.labels(), frequency_response(system, amplitude_of(o.forces, system.labels()), frequency_grid("--frequencies", o.frequencies))};
-}
-template <class Other>
-io::FrequencyReport swept(const Other&, const Options&) {
-  throw NotApplicable("--frequencies is for matrix models of second order (gyromode convert writes the matrices of a spacecraft)");
-}
-
-void say_resonances(const io::FrequencyReport& r, const OutputOption& output) {
+void say_resonances(const FrequencyReport& r, const OutputOption& output) {
   for (const FrequencyPoint& p : r.response.points) {
     if (!p.participation || p.added || p.driven == Driven::no) continue;
     output.say(fmt::format("ω = {:.17g} rad/s of the grid is {}, participation {:.1e}", p.omega,
@@ -102,7 +59,7 @@ void say_resonances(const io::FrequencyReport& r, const OutputOption& output) {
 }
 
 // Says what is not known well enough.
-bool certified(const io::ResponseReport& r, const OutputOption& output) {
+bool certified(const ResponseReport& r, const OutputOption& output) {
   constexpr double loose = 1e-6;  // of the motion; rad
   if (!r.balance_closed) output.say("not certified: the index balance does not close, so some motion may be missing");
   if (!(r.departure <= loose)) output.say(fmt::format("not certified: the parts add up to what sets them in motion to {:.1e} only: modes so close to each other are not told apart", r.departure));
@@ -119,12 +76,12 @@ ExitCode run(const Options& o) {
   if (!sweep && o.initial.empty() && o.forces.empty()) throw UsageError("nothing moves: give --initial FILE.csv (columns label,q,qdot) or --force");
   Job job(o.source, o.output);
   if (sweep) {
-    const io::FrequencyReport report = job.solve([&](const auto& system) { return swept(system, o); });
+    const FrequencyReport report = job.answer([&](const ModelKind& m) { return swept(m, o); });
     o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
     say_resonances(report, o.output);
     return ExitCode::done;
   }
-  io::ResponseReport report = job.solve([&](const auto& system) { return moved(system, o); });
+  ResponseReport report = job.answer([&](const ModelKind& m) { return moved(m, o); });
   report.rates = o.rates;
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
   if (!report.remark.empty()) o.output.say(report.remark);

@@ -5,9 +5,6 @@
 #include "gyromode/base/error.h"
 #include "gyromode/base/number.h"
 #include "gyromode/io/varied_model.h"
-#include "gyromode/modes/modes.h"
-#include "gyromode/modes/spacecraft.h"
-#include "gyromode/modes/stability_margin.h"
 
 #include <fmt/format.h>
 
@@ -49,16 +46,9 @@ Axis axis_of(const std::string& text) {
   return axis;
 }
 
-ModesOptions options_of(const io::Model& model) {
-  ModesOptions options;
-  if (std::holds_alternative<Spacecraft>(model.system)) options.lowest = 1;  // the verdict needs no window
-  return options;
-}
-
 StabilityPoint verdict_at(const io::VariedModel& varied, const std::vector<std::string>& keys, const std::vector<double>& values, const Options& o) {
   try {
-    const io::Model model = o.source.admitted(varied.at(keys, values));
-    return stability_point(std::visit([&](const auto& system) { return find_modes(system, options_of(model)); }, model.system));
+    return stability_point(o.source.admitted(varied.at(keys, values)).body->verdict(false));
   } catch (const LawBroken& e) {
     StabilityPoint p;
     p.lawful = false;
@@ -109,14 +99,7 @@ ExitCode run(const Options& o) {
   require_bounded(axes);
   if (!axes.empty() && o.source.model.empty()) throw UsageError("--vary changes numbers of a model file: give one instead of --mass and --stiffness");
   Job job(o.source, o.output);
-  ModesOptions options = options_of(job.model());
-  options.shapes = true;
-  io::StabilityReport report;
-  report.result = job.solve([&](const auto& system) { return find_modes(system, options); });
-  if (const auto* system = std::get_if<System>(&job.model().system)) {
-    report.opposite = nearest_opposite_pair(report.result.modes);
-    report.stiffness = stiffness_margin(*system);
-  }
+  StabilityReport report = job.answer([](const ModelKind& m) { return m.stability(); });
   if (!axes.empty()) report.map = mapped(o, axes, report.varied);
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
   if (report.result.stability != Stability::unknown) return ExitCode::done;

@@ -1,6 +1,7 @@
 #include "gyromode/base/error.h"
-#include "gyromode/io/model.h"
+#include "gyromode/io/read_model.h"
 #include "gyromode/base/quantity.h"
+#include "gyromode/models/matrices.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 
 Matrix rows2(double a, double b, double c, double d) { return Matrix{{a, b}, {c, d}}; }
 
-const System& second_order(const Model& model) { return std::get<System>(model.system); }
+const System& second_order(const Model& model) { return *model.body->second_order(); }
 
 // A folder of its own for each test, with the models and matrices it writes.
 class ModelToml : public ::testing::Test {
@@ -112,7 +113,7 @@ TEST_F(ModelToml, Defaults) {
 TEST_F(ModelToml, FirstOrder) {
   write("I.mtx", mtx_m);
   const Model model = read("kind = 'first_order'\ninertia = 'I.mtx'\ngyroscopic = [[0, 1.5], [-1.5, 0]]\n");
-  const auto& system = std::get<FirstOrderSystem>(model.system);
+  const auto& system = dynamic_cast<const FirstOrderModel&>(*model.body).system();
   EXPECT_EQ(model.kind, "first_order");
   EXPECT_EQ(model.size(), 2);
   EXPECT_EQ(model.labels(), (Labels{"q1", "q2"}));

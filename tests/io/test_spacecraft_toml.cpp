@@ -1,7 +1,8 @@
 // Models of kind "spacecraft": values and units as read, and one message for each thing that can be wrong, with its place.
 #include "gyromode/base/error.h"
-#include "gyromode/io/model.h"
+#include "gyromode/io/read_model.h"
 #include "gyromode/io/toml_table.h"
+#include "gyromode/models/spacecraft_model.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ const std::string pair_of_cables =
     "[[cable]]\nazimuth = '90 deg'\nradius = '825 mm'\nheight = -0.25\nlength = 20\nline_density = '30 g/m'\n"
     "[[cable]]\nazimuth = '270 deg'\nradius = '825 mm'\nheight = -0.25\nlength = 20\nline_density = '30 g/m'\n";
 
-Spacecraft read(const std::string& text) { return std::get<Spacecraft>(parse_model(text, "craft.toml").system); }
+Spacecraft read(const std::string& text) { return dynamic_cast<const SpacecraftModel&>(*parse_model(text, "craft.toml").body).spacecraft(); }
 
 template <class Error>
 std::string message(const std::string& text) {

@@ -203,7 +203,7 @@ TEST(Limits, EffectiveAxesOfRotatedWires) {
   const std::vector<Cable> wires = ring(2, 0.8, 0, 0, alpha);
   const Spacecraft s(spin, body, wires);
   const CableGroup pair(wires, spin);
-  const std::vector<EffectiveAxes> axes = effective_axes(s, 8);
+  const std::vector<EffectiveAxes> axes = effective_axes(SpacecraftSpectrum(s), 8);
   ASSERT_GE(axes.size(), 9u);
   for (const EffectiveAxes& a : axes) {
     if (std::abs(a.omega - spin) < 1e-9) continue;
@@ -216,7 +216,7 @@ TEST(Limits, EffectiveAxesOfRotatedWires) {
     EXPECT_NEAR(std::remainder(a.angle - expected, 0.5 * pi), 0, 1e-9) << a.omega / spin;
     EXPECT_LE(std::abs(a.angle), 0.25 * pi + 1e-15);
   }
-  EXPECT_TRUE(effective_axes(Spacecraft(spin, body, ring(2, 0.8, 0, 0, 0.5 * pi)), 8).empty());
+  EXPECT_TRUE(effective_axes(SpacecraftSpectrum(Spacecraft(spin, body, ring(2, 0.8, 0, 0, 0.5 * pi))), 8).empty());
 }
 
 }  // namespace

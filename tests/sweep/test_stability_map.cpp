@@ -1,5 +1,6 @@
 #include "gyromode/base/error.h"
 #include "gyromode/io/varied_model.h"
+#include "gyromode/models/spacecraft_model.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/modes/stability_margin.h"
@@ -87,7 +88,7 @@ TEST(StabilityMap, GyroscopicThreshold) {
 TEST(StabilityMap, MassOnThreeSpringsFromItsFile) {
   const io::VariedModel model(std::filesystem::path(GYROMODE_SOURCE_DIR "/models/three_springs.toml"));
   const std::vector<std::string> keys{"spin", "stiffness[0][0]"};
-  const auto at = [&](const std::vector<double>& v) { return verdict(std::get<System>(model.at(keys, v).system)); };
+  const auto at = [&](const std::vector<double>& v) { return verdict(*model.at(keys, v).body->second_order()); };
   const StabilityMap chart = map_stability(at, {grid(10, 1500, 100), grid(2e4, 1.5e5, 100)});
   expect_no_wrong_cell(
       chart,
@@ -130,7 +131,7 @@ TEST(VariedModel, Keys) {
                            "[[cable]]\nazimuth = \"180 deg\"\nradius = 1\nheight = 0\nlength = 20\nline_density = 0.002\n";
   const io::VariedModel m(text, "craft.toml");
   for (const char* key : {"spin", "body.inertia[2]", "cable[*].length", "cable[0].length,cable[1].length", "body.mass"}) EXPECT_NO_THROW(m.require_key(key)) << key;
-  const auto craft = std::get<Spacecraft>(m.at({"cable[*].length", "body.inertia[2]"}, {31.5, 140}).system);
+  const Spacecraft craft = dynamic_cast<const SpacecraftModel&>(*m.at({"cable[*].length", "body.inertia[2]"}, {31.5, 140}).body).spacecraft();
   EXPECT_EQ(craft.cables()[0].length, 31.5);
   EXPECT_EQ(craft.cables()[1].length, 31.5);
   EXPECT_EQ(craft.body().inertia(2, 2), 140);

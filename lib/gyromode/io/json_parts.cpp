@@ -86,7 +86,7 @@ Json head(std::string_view schema, const Model& model, const Timings& timings) {
 Json structure_facts(const Model& model, const Structure& s, const Stiffness& k, bool has_stiffness) {
   const bool quadrature = s.system_class() == SystemClass::quadrature;
   Json j;
-  j["class"] = std::holds_alternative<Spacecraft>(model.system) ? "transcendental" : word(s.system_class());
+  j["class"] = model.body->transcendental() ? "transcendental" : word(s.system_class());
   j["in_phase"] = quadrature ? labels_of(model.labels(), s.in_phase()) : Json::array();
   j["quadrature"] = quadrature ? labels_of(model.labels(), s.in_quadrature()) : Json::array();
   if (has_stiffness) {

@@ -2,10 +2,12 @@
 #include "gyromode/base/error.h"
 #include "gyromode/base/labels.h"
 #include "gyromode/io/matrix_market.h"
-#include "gyromode/io/model.h"
+#include "gyromode/io/read_model.h"
 #include "gyromode/io/spacecraft_toml.h"
 #include "gyromode/io/text_file.h"
 #include "gyromode/io/toml_table.h"
+#include "gyromode/models/matrices.h"
+#include "gyromode/models/spacecraft_model.h"
 #include "gyromode/system/laws.h"
 
 #include <fmt/format.h>
@@ -13,18 +15,17 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <iterator>
+#include <memory>
 
 namespace gyromode::io {
 
 namespace {
 
-using Keys = std::span<const std::string_view>;
-
 constexpr std::array<std::string_view, 11> matrices_keys{"kind", "title", "reference", "known", "labels", "mass", "gyroscopic", "stiffness", "spin",
                                                          "gyroscopic_per_spin", "stiffness_per_spin2"};
 constexpr std::array<std::string_view, 7> first_order_keys{"kind", "title", "reference", "known", "labels", "inertia", "gyroscopic"};
 constexpr std::array<std::string_view, 3> known_keys{"frequencies", "stability", "class"};
-constexpr std::array<std::string_view, 3> kinds{"matrices", "first_order", "spacecraft"};
 
 // A matrix, square and of order n where n is known (0: not yet).
 std::optional<Matrix> matrix(const TomlTable& table, std::string_view key, Index& n, Digest& digest) {
@@ -59,7 +60,9 @@ void require_fitting_labels(const TomlTable& table, const Labels& labels, Index 
   }
 }
 
-System read_second_order(const TomlTable& table, Labels labels, std::optional<double>& spin, Digest& digest) {
+std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, std::optional<double>& spin, Digest& digest) {
+  table.allow_only(matrices_keys);
+  Labels labels = table.texts("labels");
   Index n = 0;
   Matrix mass = required(matrix(table, "mass", n, digest), table, "mass");
   std::optional<Matrix> gyroscopic = matrix(table, "gyroscopic", n, digest);
@@ -78,15 +81,40 @@ System read_second_order(const TomlTable& table, Labels labels, std::optional<do
   Matrix k = stiffness.value_or(Matrix::Zero(n, n));
   if (per_spin) g += *spin * *per_spin;
   if (per_spin2) k += *spin * *spin * *per_spin2;
-  return System(std::move(mass), std::move(g), std::move(k), std::move(labels));
+  return std::make_shared<MatricesModel>(System(std::move(mass), std::move(g), std::move(k), std::move(labels)));
 }
 
-FirstOrderSystem read_first_order(const TomlTable& table, Labels labels, Digest& digest) {
+std::shared_ptr<const ModelKind> read_first_order(const TomlTable& table, std::optional<double>&, Digest& digest) {
+  table.allow_only(first_order_keys);
+  Labels labels = table.texts("labels");
   Index n = 0;
   Matrix inertia = required(matrix(table, "inertia", n, digest), table, "inertia");
   Matrix g = required(matrix(table, "gyroscopic", n, digest), table, "gyroscopic");
   require_fitting_labels(table, labels, n);
-  return FirstOrderSystem(std::move(inertia), std::move(g), std::move(labels));
+  return std::make_shared<FirstOrderModel>(FirstOrderSystem(std::move(inertia), std::move(g), std::move(labels)));
+}
+
+std::shared_ptr<const ModelKind> read_spacecraft_model(const TomlTable& table, std::optional<double>& spin, Digest&) {
+  Spacecraft s = read_spacecraft(table);
+  spin = s.spin();
+  return std::make_shared<SpacecraftModel>(std::move(s));
+}
+
+// Every kind: its word in model files, and who reads it.
+struct Kind {
+  std::string_view word;
+  std::shared_ptr<const ModelKind> (*read)(const TomlTable& table, std::optional<double>& spin, Digest& digest);
+};
+constexpr Kind kinds[] = {
+    {"matrices", read_second_order},
+    {"first_order", read_first_order},
+    {"spacecraft", read_spacecraft_model},
+};
+
+std::string quoted_kinds(char quote) {
+  std::string words;
+  for (std::size_t k = 0; k < std::size(kinds); ++k) words += fmt::format("{}{}{}{}", k == 0 ? "" : k + 1 == std::size(kinds) ? " or " : ", ", quote, kinds[k].word, quote);
+  return words;
 }
 
 std::string one_of(const TomlTable& table, std::string_view key, std::initializer_list<std::string_view> words) {
@@ -113,38 +141,17 @@ KnownValues read_known(const TomlTable& table) {
 
 Model read_model(const std::filesystem::path& file) { return parse_model(read_text(file, "TOML model"), file); }
 
-namespace {
-
-using AnySystem = std::variant<System, FirstOrderSystem, Spacecraft>;
-
-AnySystem read_system(const TomlTable& table, const std::string& kind, std::optional<double>& spin, Digest& digest) {
-  if (kind == "spacecraft") {
-    Spacecraft s = read_spacecraft(table);
-    spin = s.spin();
-    return s;
-  }
-  const bool second_order = kind == "matrices";
-  table.allow_only(second_order ? Keys(matrices_keys) : Keys(first_order_keys));
-  Labels labels = table.texts("labels");
-  if (second_order) return read_second_order(table, std::move(labels), spin, digest);
-  return read_first_order(table, std::move(labels), digest);
-}
-
-}  // namespace
-
 Model parse_model(std::string_view text, const std::filesystem::path& name) {
   const TomlTable table(text, name);
-  const std::string kind = table.text("kind").value_or("");
-  if (kind.empty()) table.fail("key 'kind' is missing: kind = \"matrices\", \"first_order\" or \"spacecraft\" was expected");
-  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
-    table.fail("kind", fmt::format("kind '{}' is not known to this version: 'matrices', 'first_order' or 'spacecraft' was expected", shown(kind)));
-  }
+  const std::string word = table.text("kind").value_or("");
+  if (word.empty()) table.fail(fmt::format("key 'kind' is missing: kind = {} was expected", quoted_kinds('"')));
+  const auto kind = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.word == word; });
+  if (kind == std::end(kinds)) table.fail("kind", fmt::format("kind '{}' is not known to this version: {} was expected", shown(word), quoted_kinds('\'')));
   Digest digest;
   digest.add(text);
   std::optional<double> spin;
-  AnySystem system = read_system(table, kind, spin, digest);
-  return {table.text("title").value_or(name.stem().string()), table.text("reference").value_or(""), kind, digest.sha256(), std::move(system), spin,
-          read_known(table)};
+  std::shared_ptr<const ModelKind> body = kind->read(table, spin, digest);
+  return {table.text("title").value_or(name.stem().string()), table.text("reference").value_or(""), word, digest.sha256(), std::move(body), spin, read_known(table)};
 }
 
 Model read_matrices(const std::filesystem::path& mass, const std::optional<std::filesystem::path>& gyroscopic, const std::filesystem::path& stiffness) {
@@ -162,15 +169,7 @@ Model read_matrices(const std::filesystem::path& mass, const std::optional<std::
   Matrix m = read(mass);
   Matrix g = gyroscopic ? read(*gyroscopic) : Matrix::Zero(n, n);
   Matrix k = read(stiffness);
-  return {mass.stem().string(), "", "matrices", digest.sha256(), System(std::move(m), std::move(g), std::move(k)), std::nullopt, {}};
-}
-
-Index Model::size() const {
-  return std::visit([](const auto& s) { return s.size(); }, system);
-}
-
-const Labels& Model::labels() const {
-  return std::visit([](const auto& s) -> const Labels& { return s.labels(); }, system);
+  return {mass.stem().string(), "", "matrices", digest.sha256(), std::make_shared<MatricesModel>(System(std::move(m), std::move(g), std::move(k))), std::nullopt, {}};
 }
 
 }  // namespace gyromode::io

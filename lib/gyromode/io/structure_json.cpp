@@ -6,20 +6,21 @@ namespace gyromode::io {
 
 namespace {
 
-// Of every component in which one was looked for, what was found or how far the nearest is from being one.
-void add_reversing_symmetries(const Model& model, const Structure& s, Json& j) {
-  const auto* system = std::get_if<System>(&model.system);
-  for (const Component& c : s.components) {
-    if (!c.search || !system) continue;
-    Json one{{"labels", labels_of(model.labels(), c.coordinates)}, {"found", c.search->found.has_value()}, {"breach", number(c.search->breach)},
-             {"threshold", c.search->threshold}, {"amplification", c.search->amplification}};
-    if (c.search->found) {
-      const Matrix reflection = c.search->found->reflection(system->mass()(c.coordinates, c.coordinates));
-      one["in_words"] = in_words(reflection, chosen(model.labels(), c.coordinates));
-      one["reflection"] = rows_of(reflection);
-    }
-    j["reversing_symmetry"].push_back(std::move(one));
+Json finding(const Model& model, const SymmetryFinding& f) {
+  Json one{{"labels", labels_of(model.labels(), f.coordinates)}, {"found", f.reflection.has_value()}, {"breach", number(f.breach)}, {"threshold", f.threshold}, {"amplification", f.amplification}};
+  if (f.reflection) {
+    one["in_words"] = in_words(*f.reflection, chosen(model.labels(), f.coordinates));
+    one["reflection"] = rows_of(*f.reflection);
   }
+  return one;
+}
+
+Json value_of(double x) { return x; }
+Json value_of(const Matrix& a) { return rows_of(a); }
+Json value_of(const std::vector<std::pair<std::string, double>>& numbers) {
+  Json j;
+  for (const auto& [name, x] : numbers) j[name] = x;
+  return j;
 }
 
 }  // namespace
@@ -35,22 +36,9 @@ std::string structure_json(const Model& model, const StructureReport& r, const T
     for (const CouplingKind k : witness->kinds) kinds.push_back(k == CouplingKind::cross ? "G" : "M or K");
     j["witness_couplings"] = std::move(kinds);
   }
-  add_reversing_symmetries(model, r.structure, j);
+  for (const SymmetryFinding& f : r.symmetries) j["reversing_symmetry"].push_back(finding(model, f));
   Json checks;
-  if (const auto* s = std::get_if<System>(&model.system)) {
-    const auto& e = s->symmetry_errors();
-    checks["symmetry_errors"] = {{"mass", e.mass}, {"gyroscopic", e.gyroscopic}, {"stiffness", e.stiffness}};
-    checks["scales"] = {{"mass", s->mass().cwiseAbs().maxCoeff()}, {"gyroscopic", s->gyroscopic().cwiseAbs().maxCoeff()}, {"stiffness", s->stiffness().cwiseAbs().maxCoeff()}};
-    checks["mass_trace"] = s->mass().trace();
-  } else if (const auto* craft = std::get_if<Spacecraft>(&model.system)) {
-    checks["mass"] = craft->rigid().mass;
-    checks["centre_height"] = craft->centre();
-    checks["inertia"] = rows_of(craft->rigid().inertia());
-  } else {
-    const auto& f = std::get<FirstOrderSystem>(model.system);
-    checks["symmetry_errors"] = {{"inertia", f.symmetry_errors().inertia}, {"gyroscopic", f.symmetry_errors().gyroscopic}};
-    checks["scales"] = {{"inertia", f.inertia().cwiseAbs().maxCoeff()}, {"gyroscopic", f.gyroscopic().cwiseAbs().maxCoeff()}};
-  }
+  for (const ModelCheck& c : r.checks) checks[c.name] = std::visit([](const auto& x) { return value_of(x); }, c.value);
   checks["coupling_tolerance"] = model.ignored ? model.ignored->tolerance : 0;
   j["checks"] = std::move(checks);
   if (!r.held_booms.empty()) {

@@ -19,17 +19,14 @@ std::string witness_walk(const Labels& labels, const OddCycle& w) {
   return out;
 }
 
-// Of every component in which one was looked for.
-std::string symmetry_facts(const Model& model, const Structure& s, Format format) {
-  const auto* system = std::get_if<System>(&model.system);
+std::string symmetry_facts(const Model& model, const std::vector<SymmetryFinding>& findings, Format format) {
   std::string out;
-  for (const Component& c : s.components) {
-    if (!c.search || !system) continue;
-    if (c.search->found) {
-      out += fact(format, "symmetry", in_words(c.search->found->reflection(system->mass()(c.coordinates, c.coordinates)), chosen(model.labels(), c.coordinates)));
-      out += fact(format, "", fmt::format("commutes with K, anticommutes with G to {:.1e}, where rounding explains {:.1e}", c.search->breach, c.search->threshold));
+  for (const SymmetryFinding& f : findings) {
+    if (f.reflection) {
+      out += fact(format, "symmetry", in_words(*f.reflection, chosen(model.labels(), f.coordinates)));
+      out += fact(format, "", fmt::format("commutes with K, anticommutes with G to {:.1e}, where rounding explains {:.1e}", f.breach, f.threshold));
     } else {
-      out += fact(format, "symmetry", fmt::format("none reverses the spin: the nearest reflection misses by {:.2g}, where rounding explains {:.1e}", c.search->breach, c.search->threshold));
+      out += fact(format, "symmetry", fmt::format("none reverses the spin: the nearest reflection misses by {:.2g}, where rounding explains {:.1e}", f.breach, f.threshold));
     }
   }
   return out;
@@ -70,7 +67,7 @@ std::string structure_text(const Model& model, const StructureReport& r, Format 
   } else if (const auto w = s.witness(); w && !w->kinds.empty()) {
     out += fact(format, s.system_class() == SystemClass::hidden_quadrature ? "not visible" : "why not", "a closed walk with an odd number of G couplings: " + witness_walk(model.labels(), *w));
   }
-  out += symmetry_facts(model, s, format);
+  out += symmetry_facts(model, r.symmetries, format);
   if (r.stiffness_applies) out += fact(format, "stiffness", stiffness_words(r.stiffness));
   out += fact(format, "components", fmt::format("{}", s.components.size()));
   if (model.ignored) out += fact(format, "left out", in_words(*model.ignored));

@@ -36,11 +36,11 @@ std::string joined(const Labels& labels, const std::vector<Index>& coordinates) 
 }
 
 std::string model_line(const Model& model) {
-  return fmt::format("{} ({}, {})", model.title, plural(model.size(), "coordinate"), model.kind == "first_order" ? "first order" : std::holds_alternative<Spacecraft>(model.system) ? "of the body, exact booms; turning axes" : "M, G, K in turning axes");
+  return fmt::format("{} ({}, {})", model.title, plural(model.size(), "coordinate"), model.body->in_words());
 }
 
 std::string class_words(const Model& model, const Structure& s) {
-  if (std::holds_alternative<Spacecraft>(model.system)) {
+  if (model.body->transcendental()) {
     return fmt::format("transcendental (exact booms), {}", s.system_class() == SystemClass::quadrature ? "quadrature: every mode moves partly in phase, partly in quadrature"
                                                                                                          : "fully complex: phases differ from mode to mode");
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/io/model.h"
+#include "gyromode/io/read_model.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/spacecraft/spacecraft.h"
+#include "gyromode/modes/spacecraft_spectrum.h"
 
 #include <vector>
 
@@ -13,6 +13,6 @@ struct EffectiveAxes {
   double angle = 0;  ///< ψ, rad: in [−π/4, π/4] for the first, then of the multiples of π/2 apart the one nearest to the mode before
 };
 /// Of the lowest `count` modes; empty where ψ = 0 throughout, as axes 1 and 2 are such axes.
-std::vector<EffectiveAxes> effective_axes(const Spacecraft& spacecraft, Index count);
+std::vector<EffectiveAxes> effective_axes(const SpacecraftSpectrum& solved, Index count);
 
 }  // namespace gyromode

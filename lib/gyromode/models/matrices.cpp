@@ -1,0 +1,123 @@
+#include "gyromode/models/matrices.h"
+
+#include "gyromode/base/error.h"
+#include "gyromode/models/response_facts.h"
+#include "gyromode/modes/keep.h"
+#include "gyromode/modes/stability_margin.h"
+#include "gyromode/structure/definiteness.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gyromode {
+
+namespace {
+
+dense::Method method_named(const std::string& name) {
+  if (name == "auto") return dense::Method::automatic;
+  if (name == "quadrature") return dense::Method::quadrature;
+  if (name == "hidden") return dense::Method::hidden;
+  if (name == "general") return dense::Method::general;
+  if (name == "first-order") return dense::Method::first_order;
+  if (name == "symmetric-2n") return dense::Method::symmetric_2n;
+  throw NotApplicable(fmt::format("method '{}' serves spacecraft models with continuum booms, and this is a matrix model; 'auto', 'quadrature', 'hidden', 'general', 'first-order' or 'symmetric-2n' apply", name));
+}
+
+ModesOptions options_of(const ModesRequest& request) {
+  ModesOptions options = request.options;
+  options.method = method_named(request.method);
+  return options;
+}
+
+std::vector<Index> positions_of(const Labels& chosen, const Labels& all) {
+  std::vector<Index> positions;
+  for (const std::string& label : chosen) positions.push_back(std::find(all.begin(), all.end(), label) - all.begin());
+  if (std::find(positions.begin(), positions.end(), static_cast<Index>(all.size())) != positions.end()) throw InvalidArgument("keep: a label is no coordinate of the model");
+  return positions;
+}
+
+double largest(const Matrix& a) { return a.cwiseAbs().maxCoeff(); }
+
+}  // namespace
+
+ModesResult MatricesModel::modes(const ModesRequest& request) const {
+  if (request.keep.empty()) return find_modes(system_, options_of(request));
+  return find_modes_keeping(system_, positions_of(request.keep, labels()), options_of(request));
+}
+
+CountResult MatricesModel::count(const Window& window) const { return count_modes(system_, window); }
+
+StabilityReport MatricesModel::stability() const {
+  StabilityReport r = ModelKind::stability();
+  r.opposite = nearest_opposite_pair(r.result.modes);
+  r.stiffness = stiffness_margin(system_);
+  return r;
+}
+
+StructureReport MatricesModel::structure(std::optional<double> at) const {
+  StructureReport r;
+  r.structure = analyse(system_, HiddenSearch::always);
+  const Definiteness d = definiteness(system_.stiffness());
+  r.stiffness = {d.sign(), d.negative, d.zero};
+  for (const Component& c : r.structure.components) {
+    if (!c.search) continue;
+    SymmetryFinding f{c.coordinates, c.search->breach, c.search->threshold, c.search->amplification, std::nullopt};
+    if (c.search->found) f.reflection = c.search->found->reflection(system_.mass()(c.coordinates, c.coordinates));
+    r.symmetries.push_back(std::move(f));
+  }
+  const auto& e = system_.symmetry_errors();
+  using Numbers = std::vector<std::pair<std::string, double>>;
+  r.checks = {{"symmetry_errors", Numbers{{"mass", e.mass}, {"gyroscopic", e.gyroscopic}, {"stiffness", e.stiffness}}},
+              {"scales", Numbers{{"mass", largest(system_.mass())}, {"gyroscopic", largest(system_.gyroscopic())}, {"stiffness", largest(system_.stiffness())}}},
+              {"mass_trace", system_.mass().trace()}};
+  if (at) r.at = {*at, realify(system_.impedance(*at), r.structure)};
+  return r;
+}
+
+ResponseReport MatricesModel::response(const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Vector& times) const {
+  if (!points.empty()) throw InvalidArgument("--points are places on the booms of a spacecraft model");
+  const Response r(system_, initial, forces);
+  ResponseReport report;
+  report.labels = labels();
+  add_facts(r, r, times, report);
+  return report;
+}
+
+FrequencyReport MatricesModel::frequency_response(const Vector& amplitude, const Vector& grid) const { return {labels(), gyromode::frequency_response(system_, amplitude, grid)}; }
+
+std::vector<ModelKind::NamedMatrix> MatricesModel::matrices() const {
+  return {{"M", "mass M", false, &system_.mass()}, {"G", "gyroscopic G", true, &system_.gyroscopic()}, {"K", "stiffness K", false, &system_.stiffness()}};
+}
+
+std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> MatricesModel::without_couplings(double tolerance) const {
+  return {std::make_shared<MatricesModel>(without_ignored_couplings(system_, tolerance)), ignored_couplings(system_, tolerance)};
+}
+
+ModesResult FirstOrderModel::modes(const ModesRequest& request) const {
+  if (!request.keep.empty()) throw NotApplicable("--keep condenses M, G, K of second order; this model is of first order");
+  return find_modes(system_, options_of(request));
+}
+
+CountResult FirstOrderModel::count(const Window& window) const { return count_modes(system_, window); }
+
+StructureReport FirstOrderModel::structure(std::optional<double> at) const {
+  StructureReport r;
+  r.structure = analyse(system_);
+  r.stiffness_applies = false;
+  const auto& e = system_.symmetry_errors();
+  using Numbers = std::vector<std::pair<std::string, double>>;
+  r.checks = {{"symmetry_errors", Numbers{{"inertia", e.inertia}, {"gyroscopic", e.gyroscopic}}}, {"scales", Numbers{{"inertia", largest(system_.inertia())}, {"gyroscopic", largest(system_.gyroscopic())}}}};
+  if (at) r.at = {*at, realify(system_.impedance(*at), r.structure)};
+  return r;
+}
+
+std::vector<ModelKind::NamedMatrix> FirstOrderModel::matrices() const {
+  return {{"I", "inertia I of I q' + G q = 0", false, &system_.inertia()}, {"G", "gyroscopic G of I q' + G q = 0", true, &system_.gyroscopic()}};
+}
+
+std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> FirstOrderModel::without_couplings(double tolerance) const {
+  return {std::make_shared<FirstOrderModel>(without_ignored_couplings(system_, tolerance)), ignored_couplings(system_, tolerance)};
+}
+
+}  // namespace gyromode

@@ -1,0 +1,34 @@
+#include "gyromode/models/model.h"
+
+#include "gyromode/base/error.h"
+
+namespace gyromode {
+
+ModesResult ModelKind::verdict(bool with_shapes) const {
+  ModesRequest request;
+  request.options.shapes = with_shapes;
+  if (!finite()) request.options.lowest = 1;  // the verdict needs no window
+  return modes(request);
+}
+
+StabilityReport ModelKind::stability() const {
+  StabilityReport r;
+  r.result = verdict(true);
+  return r;
+}
+
+ResponseReport ModelKind::response(const State&, const std::vector<Force>&, const std::vector<BoomPoint>&, const Vector&) const {
+  throw NotApplicable("response needs a model of second order, with displacements and velocities; this one is of first order");
+}
+
+FrequencyReport ModelKind::frequency_response(const Vector&, const Vector&) const {
+  throw NotApplicable("--frequencies is for matrix models of second order (gyromode convert writes the matrices of a spacecraft)");
+}
+
+std::shared_ptr<const ModelKind> ModelKind::discretised(std::optional<Index>) const { throw NotApplicable("finite elements (--method discrete, --elements) serve models of parts, such as spacecraft; this one is made of matrices"); }
+
+std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> ModelKind::without_couplings(double) const {
+  throw NotApplicable("--coupling-tolerance is for matrix models: the couplings of a spacecraft follow from its parts");
+}
+
+}  // namespace gyromode

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "gyromode/base/error.h"
+#include "gyromode/models/reports.h"
+
+#include <fmt/format.h>
+
+namespace gyromode {
+
+/// What a motion `r` over `times` (not empty) reports; `inner` is the Response that its energies are of. Throws InvalidArgument where it grows beyond what numbers hold.
+template <class Motion>
+void add_facts(const Motion& r, const Response& inner, const Vector& times, ResponseReport& report) {
+  report.history = r.at(times);
+  report.modal = r.modal();
+  report.stability = inner.stability();
+  report.initial_energy = inner.initial_energy();
+  report.zero_energy = inner.zero_energy();
+  report.remainder_energy = inner.remainder_energy();
+  report.departure = r.departure();
+  report.phase_error = r.phase_error(times(times.size() - 1));
+  report.balance_closed = inner.balance_closed();
+  for (Index k = 0; k < times.size(); ++k) {
+    if (!report.history.q.col(k).allFinite()) throw InvalidArgument(fmt::format("the motion grows beyond what numbers hold at t = {:g}: ask for less time", times(k)));
+  }
+}
+
+}  // namespace gyromode

@@ -1,0 +1,68 @@
+#include "gyromode/models/spacecraft_model.h"
+
+#include "gyromode/base/error.h"
+#include "gyromode/discrete/discretise.h"
+#include "gyromode/models/matrices.h"
+#include "gyromode/models/response_facts.h"
+#include "gyromode/modes/discrete.h"
+#include "gyromode/modes/spacecraft.h"
+#include "gyromode/modes/spacecraft_spectrum.h"
+#include "gyromode/motion/spacecraft_response.h"
+
+#include <fmt/format.h>
+
+namespace gyromode {
+
+namespace {
+
+// Matrices, of which the modes of the body are named.
+class TwinModel : public MatricesModel {
+ public:
+  TwinModel(const Spacecraft& s, const Mesh& mesh) : MatricesModel(discretise(s, mesh)), spacecraft_(s), mesh_(mesh) {}
+  ModesResult modes(const ModesRequest& request) const override { return find_modes(spacecraft_, mesh_, request.options); }
+
+ private:
+  Spacecraft spacecraft_;
+  Mesh mesh_;
+};
+
+}  // namespace
+
+ModesResult SpacecraftModel::modes(const ModesRequest& request) const {
+  if (!request.keep.empty()) throw NotApplicable("--keep condenses matrix models; a spacecraft with exact booms is condensed onto its body already");
+  if (request.method != "auto" && request.method != "exact") {
+    throw NotApplicable("the methods 'quadrature', 'hidden', 'general', 'first-order' and 'symmetric-2n' serve matrices; a spacecraft takes 'exact' or 'discrete'");
+  }
+  return find_modes(spacecraft_, request.options);
+}
+
+CountResult SpacecraftModel::count(const Window& window) const { return count_modes(spacecraft_, window); }
+
+StructureReport SpacecraftModel::structure(std::optional<double> at) const {
+  if (at && !(*at > 0)) throw InvalidArgument(fmt::format("--at {:g}: a frequency above 0 was expected", *at));
+  constexpr Index lowest_of_a_boom = 5, lowest_modes = 10;
+  const SpacecraftSpectrum solved(spacecraft_);
+  ModesResult facts;
+  solved.describe(facts, false);
+  StructureReport r;
+  r.structure = facts.structure;
+  r.stiffness = facts.stiffness;
+  r.held_booms = held_booms(spacecraft_, lowest_of_a_boom);
+  r.effective_axes = effective_axes(solved, lowest_modes);
+  r.checks = {{"mass", spacecraft_.rigid().mass}, {"centre_height", spacecraft_.centre()}, {"inertia", Matrix(spacecraft_.rigid().inertia())}};
+  if (at) r.at = {*at, realify(impedance_at(spacecraft_, *at), r.structure)};
+  return r;
+}
+
+ResponseReport SpacecraftModel::response(const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Vector& times) const {
+  const SpacecraftResponse r(spacecraft_, initial, forces, points);
+  ResponseReport report;
+  report.labels = r.labels();
+  report.remark = fmt::format("booms as {} elements of degree {} each, {} coordinates about the mass centre, which moves by itself; booms start undeformed", r.mesh().elements, r.mesh().degree, r.coordinates());
+  add_facts(r, r.about_centre(), times, report);
+  return report;
+}
+
+std::shared_ptr<const ModelKind> SpacecraftModel::discretised(std::optional<Index> elements) const { return std::make_shared<TwinModel>(spacecraft_, Mesh{elements.value_or(Mesh{}.elements), 1}); }
+
+}  // namespace gyromode

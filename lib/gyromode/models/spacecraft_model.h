@@ -1,0 +1,30 @@
+#pragma once
+
+#include "gyromode/models/model.h"
+#include "gyromode/spacecraft/spacecraft.h"
+
+namespace gyromode {
+
+/// A rigid body with wire booms, axial booms and masses on springs, by exact fields.
+class SpacecraftModel : public ModelKind {
+ public:
+  explicit SpacecraftModel(Spacecraft spacecraft) : spacecraft_(std::move(spacecraft)) {}
+
+  const Spacecraft& spacecraft() const { return spacecraft_; }
+  Index size() const override { return spacecraft_.size(); }
+  const Labels& labels() const override { return spacecraft_.labels(); }
+  std::string_view in_words() const override { return "of the body, exact booms; turning axes"; }
+  bool transcendental() const override { return true; }
+  bool finite() const override { return spacecraft_.cables().empty() && spacecraft_.beams().empty(); }
+  ModesResult modes(const ModesRequest& request) const override;
+  CountResult count(const Window& window) const override;
+  StructureReport structure(std::optional<double> at) const override;
+  bool second_order_in_time() const override { return true; }
+  ResponseReport response(const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Vector& times) const override;
+  std::shared_ptr<const ModelKind> discretised(std::optional<Index> elements) const override;
+
+ private:
+  Spacecraft spacecraft_;
+};
+
+}  // namespace gyromode
