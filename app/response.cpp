@@ -42,7 +42,7 @@ Vector times_of(const Options& o) {
 }
 
 ResponseReport moved(const ModelKind& m, const Options& o) {
-  if (!m.second_order_in_time()) return m.response({}, {}, {}, {});  // which says why not
+  m.require_motion();
   const State start = o.initial.empty() ? State::rest(m.size()) : io::read_initial_state(o.initial, m.labels());
   return m.response(start, forces_of(o.forces, m.labels()), points_of(o.points), times_of(o));
 }

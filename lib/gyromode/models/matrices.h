@@ -19,7 +19,7 @@ class MatricesModel : public ModelKind {
   CountResult count(const Window& window) const override;
   StabilityReport stability() const override;
   StructureReport structure(std::optional<double> at) const override;
-  bool second_order_in_time() const override { return true; }
+  void require_motion() const override {}
   ResponseReport response(const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Vector& times) const override;
   FrequencyReport frequency_response(const Vector& amplitude, const Vector& grid) const override;
   const System* second_order() const override { return &system_; }

@@ -2,6 +2,8 @@
 
 #include "gyromode/base/error.h"
 
+#include <fmt/format.h>
+
 namespace gyromode {
 
 ModesResult ModelKind::verdict(bool with_shapes) const {
@@ -17,8 +19,11 @@ StabilityReport ModelKind::stability() const {
   return r;
 }
 
+void ModelKind::require_motion() const { throw NotApplicable(fmt::format("response needs a model of second order, with displacements and velocities; this one is: {}", in_words())); }
+
 ResponseReport ModelKind::response(const State&, const std::vector<Force>&, const std::vector<BoomPoint>&, const Vector&) const {
-  throw NotApplicable("response needs a model of second order, with displacements and velocities; this one is of first order");
+  require_motion();
+  throw NotApplicable(fmt::format("no response is known of this kind of model: {}", in_words()));
 }
 
 FrequencyReport ModelKind::frequency_response(const Vector&, const Vector&) const {

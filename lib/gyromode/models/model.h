@@ -42,8 +42,8 @@ class ModelKind {
   virtual StabilityReport stability() const;
   /// `at`: also H there, rad per unit of time.
   virtual StructureReport structure(std::optional<double> at) const = 0;
-  /// Whether it has motions over time: displacements and velocities.
-  virtual bool second_order_in_time() const { return false; }
+  /// Throws NotApplicable unless it has displacements and velocities that move over time.
+  virtual void require_motion() const;
   virtual ResponseReport response(const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Vector& times) const;
   virtual FrequencyReport frequency_response(const Vector& amplitude, const Vector& grid) const;
 

@@ -19,7 +19,7 @@ class SpacecraftModel : public ModelKind {
   ModesResult modes(const ModesRequest& request) const override;
   CountResult count(const Window& window) const override;
   StructureReport structure(std::optional<double> at) const override;
-  bool second_order_in_time() const override { return true; }
+  void require_motion() const override {}
   ResponseReport response(const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Vector& times) const override;
   std::shared_ptr<const ModelKind> discretised(std::optional<Index> elements) const override;
 
