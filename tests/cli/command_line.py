@@ -184,6 +184,7 @@ class Spacecraft(Program):
         self.refused(1, ["--elements"], "modes", self.GEOS, "--elements", "20")
         self.refused(1, ["--elements"], "modes", MODELS / "wiresaw.toml", "--elements", "20")
         self.refused(3, ["--keep", "matrix models"], "modes", self.GEOS, "--keep", "theta1")
+        self.refused(3, ["--keep", "matrix models"], "modes", self.GEOS, "--method", "discrete", "--keep", "theta1")
         self.refused(3, ["--coupling-tolerance", "matrix models"], "modes", self.GEOS, "--coupling-tolerance", "1e-9")
         self.refused(3, ["'hidden'", "'exact' or 'discrete'"], "modes", self.GEOS, "--method", "hidden")
         self.refused(1, ["--at 0"], "structure", self.GEOS, "--at", "0")

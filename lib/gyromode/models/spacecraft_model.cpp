@@ -15,11 +15,18 @@ namespace gyromode {
 
 namespace {
 
+void require_no_keep(const ModesRequest& request) {
+  if (!request.keep.empty()) throw NotApplicable("--keep condenses matrix models; a spacecraft is seen from its body already (gyromode convert writes its matrices)");
+}
+
 // Matrices, of which the modes of the body are named.
 class TwinModel : public MatricesModel {
  public:
   TwinModel(const Spacecraft& s, const Mesh& mesh) : MatricesModel(discretise(s, mesh)), spacecraft_(s), mesh_(mesh) {}
-  ModesResult modes(const ModesRequest& request) const override { return find_modes(spacecraft_, mesh_, request.options); }
+  ModesResult modes(const ModesRequest& request) const override {
+    require_no_keep(request);
+    return find_modes(spacecraft_, mesh_, request.options);
+  }
 
  private:
   Spacecraft spacecraft_;
@@ -29,7 +36,7 @@ class TwinModel : public MatricesModel {
 }  // namespace
 
 ModesResult SpacecraftModel::modes(const ModesRequest& request) const {
-  if (!request.keep.empty()) throw NotApplicable("--keep condenses matrix models; a spacecraft with exact booms is condensed onto its body already");
+  require_no_keep(request);
   if (request.method != "auto" && request.method != "exact") {
     throw NotApplicable("the methods 'quadrature', 'hidden', 'general', 'first-order' and 'symmetric-2n' serve matrices; a spacecraft takes 'exact' or 'discrete'");
   }
