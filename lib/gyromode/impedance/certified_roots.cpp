@@ -111,14 +111,17 @@ Index CertifiedRoots::below(double omega) const {
 
 Index CertifiedRoots::count(double a, double b) const { return below(b) - below(a); }
 
-bool CertifiedRoots::doubtful_at(double omega) const {
+Inertia CertifiedRoots::inertia_at(double omega) const {
   const Lifted lifted = blocked_.impedance.at(omega);
   constexpr double beyond_doubt = 64;  // far more than the errors of roots found: no root found below such an end is counted above it
   const double limit = beyond_doubt * blocked_.impedance.rounding(omega);
-  return std::any_of(blocked_.blocks.begin(), blocked_.blocks.end(), [&](const Block& b) {
+  Inertia sum;
+  for (const Block& b : blocked_.blocks) {
     const BlockState s = state_of(b, lifted);
-    return std::abs(s.nearest) <= limit * s.size;
-  });
+    sum.negative += s.count * b.copies();
+    if (std::abs(s.nearest) <= limit * s.size) sum.margin = 0;
+  }
+  return sum;
 }
 
 }  // namespace gyromode

@@ -3,6 +3,7 @@
 #include "gyromode/impedance/converge.h"
 #include "gyromode/impedance/divergence.h"
 #include "gyromode/impedance/static_count.h"
+#include "gyromode/spectrum/inertia.h"
 
 #include <optional>
 
@@ -43,8 +44,8 @@ class CertifiedRoots {
   Index count(double a, double b) const;
   /// Growing count at ω over all blocks and copies, less that at 0⁺.
   Index below(double omega) const;
-  /// Whether a root is so near ω that the count there is not beyond doubt.
-  bool doubtful_at(double omega) const;
+  /// J(ω) over all blocks and copies; doubtful where a root is so near ω that the count is not beyond doubt.
+  Inertia inertia_at(double omega) const;
   /// The growing count of a block, from its J at ω.
   Index growing_count(Index block, double omega, Index count) const;
 

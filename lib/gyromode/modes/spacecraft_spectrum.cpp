@@ -104,14 +104,6 @@ Index SpacecraftSpectrum::missed_by_signs(const Window& range) const {
   return 2 * std::count_if(roots_.negative_energy().begin(), roots_.negative_energy().end(), [&](const Root& r) { return range.contains(r.omega); });
 }
 
-Inertia SpacecraftSpectrum::inertia_at(double omega) const {
-  const Lifted lifted = impedance_.at(omega);
-  Inertia sum;
-  for (const Block& block : roots_.blocked().blocks) sum.negative += state_of(block, lifted).count * block.copies();
-  sum.margin = roots_.doubtful_at(omega) ? 0 : 1;
-  return sum;
-}
-
 Index SpacecraftSpectrum::negative_at_zero() const {
   const auto& blocks = roots_.blocked().blocks;
   Index sum = 0;

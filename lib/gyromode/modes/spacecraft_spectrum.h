@@ -31,7 +31,7 @@ class SpacecraftSpectrum : public CountedSpectrum {
   Index missed_by_signs(const Window& range) const override;
   /// Pairs of zero roots: spin phase, axial translation, neutral patterns of wires on the axis.
   Index zero_roots() const override;
-  Inertia inertia_at(double omega) const override;
+  Inertia inertia_at(double omega) const override { return roots_.inertia_at(omega); }
   Index negative_at_zero() const override;
   IndexBalance balance() const override;
   std::string open_reason() const override;
