@@ -5,7 +5,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/dense/constant_form.h"
 #include "gyromode/dense/unitary_form.h"
-#include "gyromode/io/matrix_market.h"
+#include "gyromode/formats/matrix_market.h"
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ std::string write_matrices(const fs::path& folder, const Model& model) {
 
 // W.mtx, and with it U.mtx = [displacement velocity]; D.mtx and Q.mtx where W = DᵀD.
 std::string write_constant_form(const fs::path& folder, const System& s, const dense::ConstantForm& form, const Options& o, const std::string& title) {
-  io::write_matrix_market(folder / "W.mtx", form.w, io::Symmetry::symmetric, title + ": eigenvalues ω². " + form.path);
+  io::write_matrix_market(folder / "W.mtx", form.w, io::Symmetry::symmetric, title + ": eigenvalues ω². " + form.solver);
   std::string names = ", W.mtx";
   if (!o.transformation) return names;
   Matrix u(s.size(), 2 * s.size());

@@ -5,7 +5,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/dense/spectrum.h"
 #include "gyromode/base/number.h"
-#include "gyromode/io/toml_table.h"
+#include "gyromode/read/toml_table.h"
 #include "gyromode/base/quantity.h"
 #include "gyromode/system/laws.h"
 

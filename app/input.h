@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/io/read_model.h"
+#include "gyromode/read/read_model.h"
 #include "gyromode/spectrum/window.h"
 
 #include <CLI/CLI.hpp>

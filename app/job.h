@@ -3,7 +3,7 @@
 #include "input.h"
 #include "output.h"
 
-#include "gyromode/io/document.h"
+#include "gyromode/write/document.h"
 
 #include <fmt/format.h>
 

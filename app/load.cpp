@@ -3,7 +3,7 @@
 #include "errors.h"
 #include "input.h"
 
-#include "gyromode/io/nearest.h"
+#include "gyromode/formats/nearest.h"
 #include "gyromode/base/number.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/io/nearest.h"
+#include "gyromode/formats/nearest.h"
 #include "gyromode/lapack/memory.h"
 #include "gyromode/version.h"
 

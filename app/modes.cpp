@@ -3,7 +3,7 @@
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/io/nearest.h"
+#include "gyromode/formats/nearest.h"
 #include "gyromode/base/number.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "errors.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/io/write_file.h"
+#include "gyromode/formats/write_file.h"
 
 #include <fmt/format.h>
 

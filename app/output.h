@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/io/document.h"
+#include "gyromode/write/document.h"
 
 #include <CLI/CLI.hpp>
 

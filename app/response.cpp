@@ -4,7 +4,7 @@
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/io/initial_state.h"
+#include "gyromode/read/initial_state.h"
 
 #include <fmt/format.h>
 

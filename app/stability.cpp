@@ -4,7 +4,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/number.h"
-#include "gyromode/io/varied_model.h"
+#include "gyromode/read/varied_model.h"
 
 #include <fmt/format.h>
 
@@ -51,7 +51,7 @@ StabilityPoint verdict_at(const io::VariedModel& varied, const std::vector<std::
     return stability_point(o.source.admitted(varied.at(keys, values)).body->verdict(false));
   } catch (const LawBroken& e) {
     StabilityPoint p;
-    p.lawful = false;
+    p.law_kept = false;
     p.reason = e.what();
     return p;
   }

@@ -141,7 +141,7 @@ void compare(std::vector<Score>& league, const std::string& name, const System& 
 }
 
 void compare_symmetric(std::vector<Score>& league, const std::string& name, const System& system) {
-  league.push_back(solved(system, dense::Method::symmetric_2n).score(name, "dsygvd of order 2n (Meirovitch 1974)", system.size()));
+  league.push_back(solved(system, dense::Method::meirovitch).score(name, "dsygvd of order 2n (Meirovitch 1974)", system.size()));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/modes.h"
-#include "gyromode/modes/stability_margin.h"
+#include "gyromode/stability/stability_margin.h"
 
 #include <fmt/format.h>
 
@@ -29,13 +29,13 @@ Row against_dgeev(const std::string& title, const System& system, int rounds) {
   Dgeev rival(companion(system));
   const Contestant ours{"find_modes", "find_modes with shapes, counts and verdict", {}, [&, path] {
                           const ModesResult r = find_modes(system, with_shapes());
-                          *path = fmt::format("{}; {}, {}", r.path, word(r.coverage.status), word(r.stability));
+                          *path = fmt::format("{}; {}, {}", r.solver, to_string(r.coverage.status), to_string(r.stability));
                         }};
   const Contestant bare{"dgeev of order 2n", fmt::format("{}; companion form, given", Dgeev::options), [&] { rival.reset(); }, [&] { rival.solve(); }};
   const Others others;
   Row row{"h", title, {}, 0, interleaved({ours, bare}, rounds)};
   row.others = others.share();
-  row.path = *path;
+  row.solver = *path;
   return row;
 }
 

@@ -34,14 +34,14 @@ Row against_general(const std::string& title, const System& system, int rounds) 
   const Structure visible = analyse(system, HiddenSearch::never);
   const Contestant ours{"search and solve", "find_reversing_symmetry and the quadrature solver: roots and shapes", {}, [&, path] {
                           const Structure s = analyse(system, HiddenSearch::always);
-                          *path = dense::solve(system, s.components.front()).path;
+                          *path = dense::solve(system, s.components.front()).solver;
                         }};
   const Contestant general{"general", "dense::solve without a partition", {}, [&] { dense::solve(system, visible.components.front(), dense::Method::general); }};
   const Contestant search{"search alone", "what it costs where there is nothing to find", {}, [&] { analyse(system, HiddenSearch::always); }};
   const Others others;
   Row row{"g", title, {}, 0, interleaved({ours, general, search}, rounds)};
   row.others = others.share();
-  row.path = *path;
+  row.solver = *path;
   return row;
 }
 

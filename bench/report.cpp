@@ -17,7 +17,7 @@ std::string text(const Machine& m, const std::string& revision) {
 
 std::string text(const Row& row) {
   std::string out = fmt::format("\n{}  {}\n", row.key, row.title);
-  if (!row.path.empty()) out += fmt::format("   path: {}\n", row.path);
+  if (!row.solver.empty()) out += fmt::format("   path: {}\n", row.solver);
   out += fmt::format("   {:<22}{:>12}{:>9}{:>12}   {:<18}(others used {:.0f} % of the machine)\n", "", "median", "spread", "ratio", "round by round",
                      100 * row.others);
   for (std::size_t i = 0; i < row.timings.size(); ++i) {
@@ -63,7 +63,7 @@ Json json(const Row& row) {
     ratios.push_back(
         {{"of", row.timings[0].name}, {"to", row.timings[i].name}, {"of_medians", r.of_medians}, {"lowest", r.lowest}, {"highest", r.highest}});
   }
-  return {{"row", row.key}, {"title", row.title}, {"path", row.path}, {"others", row.others}, {"contestants", contestants}, {"ratios", ratios}};
+  return {{"row", row.key}, {"title", row.title}, {"path", row.solver}, {"others", row.others}, {"contestants", contestants}, {"ratios", ratios}};
 }
 
 Json json(const Score& s) {

@@ -28,7 +28,7 @@ constexpr double wide = 1e6;  // of K: frequencies over more than four decades
 struct Ours {
   System system;
   Component component;
-  std::string path;
+  std::string solver;
 
   explicit Ours(System given) : system(std::move(given)) {
     auto components = analyse(system).components;
@@ -36,8 +36,8 @@ struct Ours {
     component = std::move(components.front());
   }
 
-  void solve() { path = dense::solve(system, component).path; }
-  void find() { path = find_modes(system, {.window = {}, .lowest = {}, .shapes = true}).path; }
+  void solve() { solver = dense::solve(system, component).solver; }
+  void find() { solver = find_modes(system, {.window = {}, .lowest = {}, .shapes = true}).solver; }
 
   Contestant dense_solve() {
     return {"gyromode", "dense::solve, method automatic: roots and shapes", {}, [this] { solve(); }};
@@ -73,7 +73,7 @@ Row timed(std::string key, std::string title, const std::vector<Contestant>& con
 
 Row timed(std::string key, std::string title, const std::vector<Contestant>& contestants, const Ours& ours, int rounds) {
   Row row = timed(std::move(key), std::move(title), contestants, rounds);
-  row.path = ours.path;
+  row.solver = ours.solver;
   return row;
 }
 

@@ -15,7 +15,7 @@ namespace gyromode::bench {
 struct Row {
   std::string key;    ///< "a" … "i"
   std::string title;  ///< the system and its order
-  std::string path;   ///< what gyromode says of the solver it took
+  std::string solver;   ///< what gyromode says of the solver it took
   double others = 0;  ///< share of the processors that other processes used meanwhile: what to distrust a row for
   std::vector<Timing> timings;
 };

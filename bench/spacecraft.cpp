@@ -3,8 +3,8 @@
 #include "machine.h"
 
 #include "gyromode/dense/solve.h"
-#include "gyromode/discrete/spin_phase.h"
-#include "gyromode/discrete/discretise.h"
+#include "gyromode/elements/spin_phase.h"
+#include "gyromode/elements/discretise.h"
 #include "gyromode/modes/discrete.h"
 #include "gyromode/modes/spacecraft.h"
 
@@ -62,7 +62,7 @@ std::vector<Row> spacecraft_rows(const RowOptions& options) {
     Row row{"f", fmt::format("Geos, {} modes; {} elements a wire (n = {}) miss the six lowest by {:.1e}, the highest by {:.1e}; 1e-9 of the six needs about {:.0f}", exact.size(), mesh.elements,
                              twin.system().size(), lowest, fine.size() >= exact.size() ? worst(fine, exact, exact.size()) : 1.0,
                              static_cast<double>(mesh.elements) * std::sqrt(lowest / 1e-9)),
-            reference.path, 0, interleaved({ours, theirs}, mesh.elements > 400 ? std::min(options.rounds, 3) : options.rounds)};
+            reference.solver, 0, interleaved({ours, theirs}, mesh.elements > 400 ? std::min(options.rounds, 3) : options.rounds)};
     row.others = others.share();
     rows.push_back(std::move(row));
   }

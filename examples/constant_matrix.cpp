@@ -33,7 +33,7 @@ int main() {
   const System wire(mass * Matrix::Identity(n, n), g, k);
   const Structure structure = analyse(wire);
   const dense::ConstantForm form = dense::constant_form(wire, structure);
-  std::printf("%s\n", form.path.c_str());
+  std::printf("%s\n", form.solver.c_str());
 
   Comparison check;
   check.holds("the class is general", structure.system_class() == SystemClass::general);
@@ -45,7 +45,7 @@ int main() {
   check.at_most("‖DᵀD − W‖/‖W‖", (d.transpose() * d - form.w).norm() / form.w.norm(), 1e-14);
 
   ModesOptions classical;  // the other method: roots of the 2n × 2n companion matrix
-  classical.method = dense::Method::first_order;
+  classical.method = dense::Method::companion;
   classical.shapes = true;
   const auto modes = find_modes(wire, classical).modes;
   const Vector omega2 = Eigen::SelfAdjointEigenSolver<Matrix>(form.w).eigenvalues();

@@ -65,7 +65,7 @@ int main() {
   const Matrix one = Matrix::Identity(8, 8), mirror = planes(c * one, s * one, s * one, -c * one);
   // Rounding turns R as far as it can move two nearly equal frequencies of the planes past each other: those above 9000 rad/s differ by half a percent.
   check.at_most("distance of R to the mirror", std::min((r - mirror).norm(), (r + mirror).norm()), 1e-9);
-  check.at_most("breach of R² = 1, RᵀKR = K, RᵀGR = −G", search.breach, search.threshold);
+  check.at_most("breach of R² = 1, RᵀKR = K, RᵀGR = −G", search.departure, search.threshold);
 
   ModesOptions by_symmetry;
   by_symmetry.method = dense::Method::hidden;

@@ -8,8 +8,8 @@
 #include "comparison.h"
 
 #include <gyromode/modes/modes.h>
-#include <gyromode/modes/stability_margin.h>
-#include <gyromode/sweep/stability_map.h>
+#include <gyromode/stability/stability_margin.h>
+#include <gyromode/stability/stability_map.h>
 
 using namespace gyromode;
 

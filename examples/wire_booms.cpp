@@ -7,7 +7,7 @@
 // continua, by Legendre's functions: a mode ω, X of the exact H(ω) takes the amplitude 2|X (Xᴴf)| / |Xᴴ (dH/dω) X| from an impulse f.
 #include "comparison.h"
 
-#include <gyromode/io/read_model.h>
+#include <gyromode/read/read_model.h>
 #include <gyromode/models/spacecraft_model.h>
 #include <gyromode/modes/spacecraft.h>
 #include <gyromode/motion/spacecraft_response.h>

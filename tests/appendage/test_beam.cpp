@@ -19,7 +19,7 @@ double number(const Json& j) { return std::stod(j.get<std::string>()); }
 
 // Dynamic stiffness of the root from the answer to loads: d = −κM − κ²C, M of the rigid beam.
 Eigen::Matrix2d cantilever_stiffness(double kappa, double l, double e) {
-  const Answer<double> a = cantilever_answer(kappa, l, e);
+  const FieldResponse<double> a = cantilever_answer(kappa, l, e);
   Eigen::Matrix2d rigid, c;
   rigid << l + e, 0.5 * l * l + e * l, 0, l * l * l / 3 + e * l * l;
   rigid(1, 0) = rigid(0, 1);

@@ -158,7 +158,7 @@ Faults compare(const System& system, const ModesResult& r, const Truth& truth, s
   Faults f;
   const bool decided = r.stability != Stability::unknown && r.stability != Stability::marginal;
   if (decided && r.stability != t.stability) {
-    note(f, f.false_verdict, fmt::format("verdict {}, true {} (distance {:.2g})", word(r.stability), word(t.stability), t.distance));
+    note(f, f.false_verdict, fmt::format("verdict {}, true {} (distance {:.2g})", to_string(r.stability), to_string(t.stability), t.distance));
   }
   if (r.stability == Stability::marginal && t.stability != Stability::marginal && t.distance > 1e-7) f.evaded = true;
   Index growing = 0;  // a quadruple that is two real pairs within its bound counts as much

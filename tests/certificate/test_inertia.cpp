@@ -189,7 +189,7 @@ double norm_1(const Matrix& a) { return a.cwiseAbs().colwise().sum().maxCoeff();
 void expect_count(const Impedance& h, double omega, const ComplexMatrix& truth, int& trials) {
   const Vector lambda = eigenvalues(truth);
   if (!(lambda.cwiseAbs().minCoeff() > 1e-8 * lambda.cwiseAbs().maxCoeff())) return;
-  const Inertia found = h.negative_at(omega);
+  const Inertia found = h.inertia_at(omega);
   EXPECT_EQ(found.negative, (lambda.array() < 0).count()) << "ω = " << omega;
   EXPECT_EQ(found.positive, (lambda.array() > 0).count()) << "ω = " << omega;
   EXPECT_FALSE(found.doubtful());
@@ -239,7 +239,7 @@ TEST(Impedance, RealFormHasTheSpectrumOfH) {
         EXPECT_LE((t.conjugate().asDiagonal() * truth * t.asDiagonal() - h.real_at(omega)).norm(), 4 * unit);
         EXPECT_LE((t.conjugate().asDiagonal() * slope * t.asDiagonal() - h.real_slope_at(omega)).norm(), 4 * unit / std::min(omega, 1.0));
         EXPECT_LE((eigenvalues(h.real_at(omega)) - eigenvalues(truth)).norm(), 20 * static_cast<double>(n) * unit);
-        EXPECT_EQ(h.negative_at(omega).negative, plain.negative_at(omega).negative);
+        EXPECT_EQ(h.inertia_at(omega).negative, plain.inertia_at(omega).negative);
       };
       expect_real_form(Impedance(system, a.s), Impedance(system, whole), system.impedance(omega)(a.s.order, a.s.order),
                        2 * omega * a.of(a.m) + slope_of_g);

@@ -97,7 +97,7 @@ TEST(UnstableShapes, CopiesHaveLeftVectorsOfTheirOwn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FlutterShapes,
-                         testing::Combine(testing::Values(Method::automatic, Method::general, Method::first_order), testing::Values(Index{0}, Index{1})));
+                         testing::Combine(testing::Values(Method::automatic, Method::general, Method::companion), testing::Values(Index{0}, Index{1})));
 
 }  // namespace
 }  // namespace gyromode::dense

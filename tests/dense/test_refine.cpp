@@ -2,7 +2,7 @@
 #include "support/random_matrices.h"
 #include "gyromode/base/rounding.h"
 #include "gyromode/certificate/assess.h"
-#include "gyromode/dense/refine.h"
+#include "gyromode/dense/refinement/refine.h"
 #include "gyromode/dense/solve.h"
 
 #include <gtest/gtest.h>

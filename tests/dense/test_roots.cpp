@@ -1,9 +1,9 @@
 // The dense solvers against the plain eigenvalues of the companion matrix of order 2n.
 #include "support/random_matrices.h"
 #include "gyromode/base/rounding.h"
-#include "gyromode/dense/definite.h"
-#include "gyromode/dense/indefinite.h"
-#include "gyromode/dense/quadrature.h"
+#include "gyromode/dense/general/definite.h"
+#include "gyromode/dense/general/indefinite.h"
+#include "gyromode/dense/quadrature/quadrature.h"
 
 #include <gtest/gtest.h>
 
@@ -80,10 +80,10 @@ void compare_quadrature(Source& source, Index p, Index r, const QuadratureCase& 
   k.topLeftCorner(p, p) = k1;
   k.bottomRightCorner(r, r) = k2;
   const QuadratureModes m = quadrature_modes(form);
-  EXPECT_LE(worst_root(gamma, k, all_roots(m.omega, m.unstable)), 4) << where << ": " << m.path;
+  EXPECT_LE(worst_root(gamma, k, all_roots(m.omega, m.unstable)), 4) << where << ": " << m.solver;
   ComplexMatrix x(n, m.omega.size());
   x << m.x.cast<Complex>(), Complex(0, -1) * m.y.cast<Complex>();
-  EXPECT_LE(worst_residual(gamma, k, m.omega, x), 100) << where << ": " << m.path;
+  EXPECT_LE(worst_residual(gamma, k, m.omega, x), 100) << where << ": " << m.solver;
   EXPECT_TRUE(std::is_sorted(m.omega.begin(), m.omega.end()));
   if (c.root1 || c.root2) {
     for (Index i = 0; i < m.unstable.count(); ++i) EXPECT_TRUE(m.unstable.divergent(i));
@@ -107,7 +107,7 @@ TEST(QuadratureModes, SmallFrequenciesBySingularValues) {
   const auto diagonal = [](double a, double b) { return Matrix(Vector{{a, b}}.asDiagonal()); };
   const QuadratureForm form{Matrix::Zero(2, 2), {diagonal(1e-12, 1), diagonal(1e-6, 1)}, {diagonal(1e-10, 4), diagonal(1e-5, 2)}};
   const QuadratureModes m = quadrature_modes(form);
-  EXPECT_NE(m.path.find("singular values of C"), std::string::npos);
+  EXPECT_NE(m.solver.find("singular values of C"), std::string::npos);
   EXPECT_NEAR(m.omega(0), 1e-6, 4 * epsilon);
   EXPECT_NEAR(m.omega(1), 1e-5, 4 * epsilon);
   EXPECT_NEAR(m.omega(2), 1, 8 * epsilon);

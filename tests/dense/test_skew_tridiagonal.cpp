@@ -2,8 +2,8 @@
 #include "support/random_matrices.h"
 
 #include "gyromode/base/rounding.h"
-#include "gyromode/dense/skew_multiply.h"
-#include "gyromode/dense/skew_tridiagonal.h"
+#include "gyromode/dense/general/skew_multiply.h"
+#include "gyromode/dense/general/skew_tridiagonal.h"
 
 #include <gtest/gtest.h>
 

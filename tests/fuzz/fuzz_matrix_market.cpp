@@ -1,7 +1,7 @@
 // libFuzzer: whatever the bytes, parse_matrix_market() returns a matrix or throws Unreadable; a matrix it returns is written and read
 // back as the same one.
 #include "gyromode/base/error.h"
-#include "gyromode/io/matrix_market.h"
+#include "gyromode/formats/matrix_market.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // libFuzzer: whatever the bytes, parse_model() returns a model that keeps the laws or throws Unreadable or LawBroken, with one
 // line of message. No file is read: matrix files are sought in a folder that does not exist.
 #include "gyromode/base/error.h"
-#include "gyromode/io/read_model.h"
+#include "gyromode/read/read_model.h"
 #include "gyromode/models/matrices.h"
 #include "gyromode/models/spacecraft_model.h"
 

@@ -1,5 +1,5 @@
 // Every shipped model has the class, verdict and frequencies that it declares.
-#include "gyromode/io/read_model.h"
+#include "gyromode/read/read_model.h"
 #include "gyromode/models/spacecraft_model.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/discrete.h"
@@ -30,7 +30,7 @@ ModesResult modes_of(const Model& model) {
 
 std::string class_of(const Model& model, const ModesResult& r) {
   if (model.body->transcendental()) return "transcendental";
-  return std::string(word(r.structure.system_class()));
+  return std::string(to_string(r.structure.system_class()));
 }
 
 TEST_P(ShippedModel, HasItsKnownValues) {
@@ -38,7 +38,7 @@ TEST_P(ShippedModel, HasItsKnownValues) {
   EXPECT_FALSE(model.reference.empty());
   ASSERT_FALSE(model.known.frequencies.empty());
   const ModesResult r = modes_of(model);
-  EXPECT_EQ(word(r.stability), model.known.stability);
+  EXPECT_EQ(to_string(r.stability), model.known.stability);
   EXPECT_EQ(class_of(model, r), model.known.system_class);
   EXPECT_EQ(r.coverage.status, CoverageStatus::complete);
   ASSERT_EQ(r.modes.size(), model.known.frequencies.size());

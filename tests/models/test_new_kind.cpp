@@ -1,6 +1,6 @@
 // A kind of model that the library does not know, a plane double pendulum in fixed axes, made here: it answers the verbs and is written as a document like any other.
 #include "gyromode/base/error.h"
-#include "gyromode/io/document.h"
+#include "gyromode/write/document.h"
 #include "gyromode/models/matrices.h"
 
 #include <gtest/gtest.h>

@@ -107,7 +107,7 @@ TEST_P(CloseFrequencies, NoneLostNoneInvented) {
       if (marginal) {
         EXPECT_TRUE(kind == Kind::opposite && delta <= 1e-10) << what;  // the slow half is itself near its threshold in some
       } else {
-        EXPECT_EQ(word(r.coverage.status), "complete") << what << ": " << r.coverage.reason;
+        EXPECT_EQ(to_string(r.coverage.status), "complete") << what << ": " << r.coverage.reason;
       }
       EXPECT_TRUE(r.unstable.empty()) << what;
       ASSERT_EQ(r.modes.size(), exact.size()) << what;
@@ -143,7 +143,7 @@ TEST(CloseFrequenciesFirstOrder, NoneLostNoneInvented) {
     const Matrix g = s.skew(4), t = s.orthogonal(8);
     const FirstOrderSystem system(Matrix::Identity(8, 8), skew_part(t.transpose() * twice(g, 1 + delta) * t));
     const ModesResult r = find_modes(system), slow = find_modes(FirstOrderSystem(Matrix::Identity(4, 4), g));
-    EXPECT_EQ(word(r.coverage.status), "complete") << delta;
+    EXPECT_EQ(to_string(r.coverage.status), "complete") << delta;
     ASSERT_EQ(r.modes.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
       const double exact = slow.modes[i / 2].omega * (i % 2 == 0 ? 1 : 1 + delta);
@@ -174,7 +174,7 @@ TEST(CloseFrequenciesSpacecraft, WiresDetuned) {
     ModesOptions options;
     options.window.b = 15 * craft.spin();
     const ModesResult r = find_modes(craft, options);
-    EXPECT_EQ(word(r.coverage.status), "complete") << delta << ": " << r.coverage.reason;
+    EXPECT_EQ(to_string(r.coverage.status), "complete") << delta << ": " << r.coverage.reason;
     if (expected == 0) expected = r.modes.size();
     EXPECT_EQ(r.modes.size(), expected) << delta;
     EXPECT_EQ(static_cast<Index>(r.modes.size()), *r.coverage.counted) << delta;

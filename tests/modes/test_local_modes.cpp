@@ -207,7 +207,7 @@ TEST(LocalModes, OfRandomAppendagesAreThoseThatMechanicsGives) {
     const std::vector<double> omega = frequencies(found);
     with_locals += x.local.empty() ? 0 : 1;
     const bool right = omega.size() == x.local.size() && std::equal(omega.begin(), omega.end(), x.local.begin(), [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; });
-    EXPECT_TRUE(right) << "seed " << seed << ":" << x.what << ", n = " << system.size() << ", " << word(r.coverage.status) << ", local: " << fmt::format("{}", fmt::join(omega, " ")) << "; truth: " << fmt::format("{}", fmt::join(x.local, " "));
+    EXPECT_TRUE(right) << "seed " << seed << ":" << x.what << ", n = " << system.size() << ", " << to_string(r.coverage.status) << ", local: " << fmt::format("{}", fmt::join(omega, " ")) << "; truth: " << fmt::format("{}", fmt::join(x.local, " "));
     for (const Mode& m : found) EXPECT_TRUE((m.shape(kept).array() == Complex(0)).all()) << seed;
   }
   EXPECT_GE(with_locals, 1000u);

@@ -172,12 +172,12 @@ TEST(Properties, ManyMethodsOneAnswer) {
     const ModesResult r = solved(d.system());
     if (!comparable(r)) return;
     expect_same(r, solved(d.system(), dense::Method::general), d.description + ", general", 8);
-    expect_same(r, solved(d.system(), dense::Method::first_order), d.description + ", first order", 8);
+    expect_same(r, solved(d.system(), dense::Method::companion), d.description + ", first order", 8);
     // Meirovitch's form squares the condition of diag(M, K): it is compared where that leaves digits.
     const bool graded = d.description.find("graded") != std::string::npos;
-    if (r.stiffness.sign != Sign::positive || graded) return;
+    if (r.stiffness.definiteness() != Definiteness::positive || graded) return;
     ++symmetric;
-    expect_same(r, solved(d.system(), dense::Method::symmetric_2n), d.description + ", symmetric 2n", 8);
+    expect_same(r, solved(d.system(), dense::Method::meirovitch), d.description + ", symmetric 2n", 8);
   });
   EXPECT_GT(symmetric, 60);
 }
@@ -185,7 +185,7 @@ TEST(Properties, ManyMethodsOneAnswer) {
 // Seed 199, graded K > 0: 'symmetric-2n' squares the condition and loses the small frequencies. They cannot be shown to exist, and it is not called complete.
 TEST(Properties, SymmetricMethodOnGradedStiffness) {
   const support::RandomSystem d = support::random_system(199);
-  const ModesResult symmetric = solved(d.system(), dense::Method::symmetric_2n);
+  const ModesResult symmetric = solved(d.system(), dense::Method::meirovitch);
   EXPECT_EQ(symmetric.coverage.status, CoverageStatus::not_counted);
   EXPECT_NE(symmetric.coverage.reason.find("could not be shown to exist"), std::string::npos) << symmetric.coverage.reason;
 }
@@ -209,7 +209,7 @@ TEST(Properties, ProductOfFrequenciesIsTheRatioOfDeterminants) {
   Index sharp = 0;
   for_each_system([&](const support::RandomSystem& d, std::mt19937_64&) {
     const ModesResult r = solved(d.system());
-    if (r.stiffness.sign != Sign::positive) return;
+    if (r.stiffness.definiteness() != Definiteness::positive) return;
     const LogDeterminant k = log_determinant(d.stiffness);
     const LogDeterminant m = log_determinant(d.mass);
     double sum = 0;
@@ -248,7 +248,7 @@ TEST(Properties, EnergyIsOrthogonal) {
 }
 
 // n₋(H(σ)) by plain eigenvalues, and whether it is beyond doubt.
-std::pair<Index, bool> negative_at(const System& s, double sigma) {
+std::pair<Index, bool> inertia_at(const System& s, double sigma) {
   const Vector d = s.mass().diagonal().cwiseSqrt().cwiseInverse();
   const ComplexMatrix h = d.asDiagonal() * s.impedance(sigma) * d.asDiagonal();
   const Vector e = small::hermitian_eigenvalues(h);
@@ -281,8 +281,8 @@ TEST(Properties, CountsAtRandomCuts) {
       EXPECT_EQ(c.status, CountStatus::exact) << d.description;
       EXPECT_EQ(c.count, expected) << d.description;
       EXPECT_EQ(c.negative[1] - c.negative[0], c.signed_count) << d.description;
-      const auto [low, low_sure] = negative_at(system, r.coverage.window.a);
-      const auto [high, high_sure] = negative_at(system, r.coverage.window.b);
+      const auto [low, low_sure] = inertia_at(system, r.coverage.window.a);
+      const auto [high, high_sure] = inertia_at(system, r.coverage.window.b);
       if (a == 0 || !low_sure || !high_sure) continue;
       ++twins;
       EXPECT_EQ(c.negative[0], low) << d.description;

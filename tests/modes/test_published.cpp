@@ -25,7 +25,7 @@ void expect_near(const std::vector<double>& found, const std::vector<double>& ex
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], relative * expected[i]) << "mode " << i;
 }
 
-const std::vector<dense::Method> classical_too{dense::Method::automatic, dense::Method::general, dense::Method::first_order};
+const std::vector<dense::Method> classical_too{dense::Method::automatic, dense::Method::general, dense::Method::companion};
 
 class EveryMethod : public testing::TestWithParam<dense::Method> {
  protected:

@@ -54,7 +54,7 @@ TEST(RandomSystems, VerdictOfTheTwin) {
   for (std::uint64_t seed = 0; seed < wanted() / 5; ++seed) {
     const support::RandomSystem drawn = support::random_system(seed);
     const ModesResult r = find_modes(drawn.system());
-    if (r.stiffness.sign == Sign::positive && seed % 20 != 0) continue;
+    if (r.stiffness.definiteness() == Definiteness::positive && seed % 20 != 0) continue;
     const reference::Spectrum twin = reference::spectrum(drawn.mass, drawn.gyroscopic, drawn.stiffness);
     if (twin.distance < 1e-6) continue;
     ++compared;

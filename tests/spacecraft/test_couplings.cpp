@@ -1,7 +1,7 @@
 // What parts state of their couplings against their matrices: what is not stated is exactly zero at any frequency, and what is stated is there.
 #include "support/random_spacecraft.h"
 
-#include "gyromode/impedance/blocks.h"
+#include "gyromode/roots/blocks.h"
 #include "gyromode/spacecraft/spacecraft_impedance.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ Worst compared(const SpacecraftImpedance& impedance, std::uint64_t seed) {
     for (Index i = 0; i < n; ++i) {
       const Index first = couplings.first_of_equals(i);
       const auto s = static_cast<std::size_t>(i), f = static_cast<std::size_t>(first);
-      w.equal = w.equal && h(i, i) == h(first, first) && lifted.held[s] == lifted.held[f] && continued(i, i) == continued(first, first);
+      w.equal = w.equal && h(i, i) == h(first, first) && lifted.poles_below[s] == lifted.poles_below[f] && continued(i, i) == continued(first, first);
       for (Index j = 0; j < n; ++j) {
         if (i == j) continue;
         const bool p = couplings.meet(i, j, CouplingKind::in_phase), c = couplings.meet(i, j, CouplingKind::cross);

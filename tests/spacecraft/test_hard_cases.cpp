@@ -2,7 +2,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/modes/discrete.h"
 #include "gyromode/modes/spacecraft.h"
-#include "gyromode/spacecraft/held_booms.h"
+#include "gyromode/spacecraft/clamped_booms.h"
 
 #include <gtest/gtest.h>
 
@@ -87,7 +87,7 @@ TEST(HardCases, WindowsThatEndOnAMode) {
 // At the fixed-root frequencies of a boom, and an ulp beside them, the count is that of its neighbourhood.
 TEST(HardCases, CountsAtThePolesOfABeam) {
   const Spacecraft s(1, body, {}, {{0.5, true, 7.5, 0.12, {300, 300}, 0}});
-  for (const HeldBoom& boom : held_booms(s, 6)) {
+  for (const ClampedBoom& boom : clamped_booms(s, 6)) {
     for (const double pole : boom.frequencies) {
       const CountResult around = count_modes(s, {0, pole * (1 - 1e-9)}), beyond = count_modes(s, {0, pole * (1 + 1e-9)});
       for (int ulps = -4; ulps <= 4; ++ulps) {
@@ -138,7 +138,7 @@ TEST(HardCases, WindowsAroundAModeOfNegativeEnergy) {
     options.window = {0.1, 3};
     const ModesResult all = find_modes(s, options);
     ASSERT_EQ(all.modes.size(), 4u);
-    EXPECT_EQ(word(all.stability), "gyroscopically_stabilised");
+    EXPECT_EQ(to_string(all.stability), "gyroscopically_stabilised");
     EXPECT_NEAR(all.opposite_gap, 1 - all.modes[2].omega / all.modes[3].omega, 1e-11) << spin;
     for (const Mode& m : all.negative_modes) {
       for (const double around : {0.5, 0.25, 0.1}) {

@@ -2,7 +2,7 @@
 #include "gyromode/appendage/hub_impedance.h"
 #include "gyromode/modes/effective_axes.h"
 #include "gyromode/modes/spacecraft.h"
-#include "gyromode/spacecraft/held_booms.h"
+#include "gyromode/spacecraft/clamped_booms.h"
 
 #include <gtest/gtest.h>
 
@@ -175,7 +175,7 @@ TEST(Limits, HeldBooms) {
   std::vector<Cable> wires = ring(2, 0, 0.1, 0);
   const double l = 6, density = 0.1, stiffness = 30;
   const Spacecraft s(spin, body, wires, {{0.4, true, l, density, {stiffness, stiffness}, 0}}, {{{0, 0, 1}, 2, {50, 50, std::numeric_limits<double>::infinity()}}});
-  const std::vector<HeldBoom> booms = held_booms(s, 4);
+  const std::vector<ClampedBoom> booms = clamped_booms(s, 4);
   ASSERT_EQ(booms.size(), 4u);
   EXPECT_EQ(booms[0].name, "cables 1, 2, in plane");
   for (std::size_t n = 1; n <= 4; ++n) {

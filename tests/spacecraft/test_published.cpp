@@ -1,6 +1,6 @@
 // Geos and ISPM against 34-digit values (tests/cases/spacecraft.json, from a derivation that shares no code with the library): frequencies, matrices, counts.
 #include "gyromode/appendage/wire_field.h"
-#include "gyromode/impedance/certified_roots.h"
+#include "gyromode/roots/certified_roots.h"
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/spacecraft/spacecraft_impedance.h"
 #include "gyromode/structure/realify.h"

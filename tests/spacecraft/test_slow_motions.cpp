@@ -3,7 +3,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
-#include "gyromode/impedance/static_count.h"
+#include "gyromode/roots/static_count.h"
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/spacecraft/spacecraft_impedance.h"
 
@@ -35,14 +35,14 @@ TEST(SlowMotions, OfARigidBody) {
       const double bound = (1e-14 + 100 * 64 * epsilon / delta) * rate;
       ASSERT_TRUE(r.index_balance.closed) << j3;
       if (j3 > 110) {
-        EXPECT_EQ(word(r.stability), "stable") << delta;
+        EXPECT_EQ(to_string(r.stability), "stable") << delta;
       } else if (j3 > 100) {
-        EXPECT_EQ(word(r.stability), "unstable") << delta;
+        EXPECT_EQ(to_string(r.stability), "unstable") << delta;
         ASSERT_EQ(r.unstable.size(), 1u);
         EXPECT_NEAR(r.unstable[0].growth_rate, rate, bound) << delta;
         EXPECT_EQ(r.unstable[0].omega, 0);
       } else {
-        EXPECT_EQ(word(r.stability), "gyroscopically_stabilised") << delta;
+        EXPECT_EQ(to_string(r.stability), "gyroscopically_stabilised") << delta;
         ASSERT_EQ(r.negative_modes.size(), 1u);
         EXPECT_NEAR(r.negative_modes[0].omega, rate, bound) << delta;
       }
@@ -65,7 +65,7 @@ TEST(SlowMotions, OfABodyWithWires) {
     for (const double delta : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9}) {
       for (const auto& [j3, expected] : {std::pair(first - delta, "gyroscopically_stabilised"), {first + delta, "unstable"}, {second - delta, "unstable"}, {second + delta, "stable"}}) {
         const ModesResult r = solved(Spacecraft(1, body(j3), wires));
-        EXPECT_EQ(word(r.stability), expected) << azimuths.size() << " wires, " << j3 << ", " << delta;
+        EXPECT_EQ(to_string(r.stability), expected) << azimuths.size() << " wires, " << j3 << ", " << delta;
         EXPECT_TRUE(r.index_balance.closed);
       }
     }
@@ -82,15 +82,15 @@ TEST(SlowMotions, OfASatelliteWithBooms) {
   double slope = 0;
   for (const double j3 : {143.5992, 143.6005, 143.60172, 143.601737}) {
     const ModesResult r = at(j3);
-    EXPECT_EQ(word(r.stability), "unstable") << j3;
+    EXPECT_EQ(to_string(r.stability), "unstable") << j3;
     ASSERT_EQ(r.unstable.size(), 1u) << j3;
     const double growth = r.unstable[0].growth_rate;
     if (slope == 0) slope = growth * growth / (critical - j3);
     EXPECT_NEAR(growth * growth / (critical - j3), slope, 1e-3 * slope) << j3;  // σ² is linear there
   }
-  for (const double j3 : {143.601738, 143.6018, 143.603}) EXPECT_EQ(word(at(j3).stability), "stable") << j3;
-  for (const double j3 : {129.60173, 129.601737}) EXPECT_EQ(word(at(j3).stability), "gyroscopically_stabilised") << j3;  // J₂ − J₁ = 14 below
-  for (const double j3 : {129.601738, 129.6018}) EXPECT_EQ(word(at(j3).stability), "unstable") << j3;
+  for (const double j3 : {143.601738, 143.6018, 143.603}) EXPECT_EQ(to_string(at(j3).stability), "stable") << j3;
+  for (const double j3 : {129.60173, 129.601737}) EXPECT_EQ(to_string(at(j3).stability), "gyroscopically_stabilised") << j3;  // J₂ − J₁ = 14 below
+  for (const double j3 : {129.601738, 129.6018}) EXPECT_EQ(to_string(at(j3).stability), "unstable") << j3;
 }
 
 // Any satellites: where n₋ of the static stiffness changes with the body's J₃, found by bisection, a verdict is there on both sides, and the slow motion that makes the difference.

@@ -2,9 +2,9 @@
 #include "support/random_spacecraft.h"
 
 #include "gyromode/dense/inertia.h"
-#include "gyromode/discrete/discretise.h"
-#include "gyromode/discrete/spin_phase.h"
-#include "gyromode/impedance/blocks.h"
+#include "gyromode/elements/discretise.h"
+#include "gyromode/elements/spin_phase.h"
+#include "gyromode/roots/blocks.h"
 #include "gyromode/modes/discrete.h"
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/spacecraft/spacecraft_impedance.h"
@@ -113,7 +113,7 @@ TEST(RandomSatellites, AreCertified) {
     ModesOptions options;
     options.window.b = 5 * s.spin();
     const ModesResult r = find_modes(s, options);
-    if (r.stiffness.sign != Sign::indefinite) {
+    if (r.stiffness.definiteness() != Definiteness::indefinite) {
       ASSERT_EQ(r.coverage.status, CoverageStatus::complete) << "seed " << seed << ": " << r.coverage.reason;
       ASSERT_EQ(r.stability, Stability::stable) << seed;
     }

@@ -60,7 +60,7 @@ TEST(Realify, CountsOfGradedMatrices) {
     if (trial % 2 == 1) all.push_back(realify_by_partition(h, {}));
     for (const Realified& r : all) {
       expect_exact(r);
-      EXPECT_EQ(r.negative(), negative) << trial << " " << word(r.how) << " grading 2^" << most;
+      EXPECT_EQ(r.negative(), negative) << trial << " " << to_string(r.how) << " grading 2^" << most;
       EXPECT_EQ(r.determinant_sign(), negative % 2 == 0 ? 1 : -1) << trial;
     }
   }
@@ -173,11 +173,11 @@ TEST(Realify, ChosenByTheStructure) {
   Matrix k{{4, 0.6}, {0.6, 7}};
   const Matrix g{{0, -1.2}, {1.2, 0}};
   const System turned(Matrix::Identity(2, 2), g, k);
-  EXPECT_EQ(word(realify(turned.impedance(1.3), analyse(turned)).how), "angle");
+  EXPECT_EQ(to_string(realify(turned.impedance(1.3), analyse(turned)).how), "angle");
   k(0, 1) = k(1, 0) = 0;
   const System plain(Matrix::Identity(2, 2), g, k);
-  EXPECT_EQ(word(realify(plain.impedance(1.3), analyse(plain)).how), "partition");
+  EXPECT_EQ(to_string(realify(plain.impedance(1.3), analyse(plain)).how), "partition");
   support::Source s{std::mt19937_64(6)};
   const System general(Matrix::Identity(5, 5), s.skew(5), s.symmetric(5, 0));
-  EXPECT_EQ(word(realify(general.impedance(1.3), analyse(general)).how), "tridiagonal");
+  EXPECT_EQ(to_string(realify(general.impedance(1.3), analyse(general)).how), "tridiagonal");
 }

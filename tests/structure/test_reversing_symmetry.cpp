@@ -44,7 +44,7 @@ TEST(ReversingSymmetry, ScrambledSystemsAreRecognised) {
   for (std::uint64_t seed = 0; seed < seeds(); ++seed) {
     const Scrambled s = scrambled_system(seed, order_of(seed), 1e6);
     const SymmetrySearch f = search(s.hidden);
-    ASSERT_TRUE(f.found) << seed << ": " << s.description << ", condition " << s.condition << ", breach " << f.breach << " of " << f.threshold;
+    ASSERT_TRUE(f.found) << seed << ": " << s.description << ", condition " << s.condition << ", departure " << f.departure << " of " << f.threshold;
     const Matrix r = f.found->reflection(s.hidden.mass());
     const double eps = std::numeric_limits<double>::epsilon(), n = static_cast<double>(s.hidden.size());
     // ‖R‖ is up to the condition of S, and M is formed with errors of ε‖M‖.
@@ -65,7 +65,7 @@ TEST(ReversingSymmetry, FrequenciesOfScrambledSystems) {
     for (const Mode& m : hidden.modes) found.push_back(m.omega);
     if (s.condition < 1e3) {
       ASSERT_EQ(found.size(), expected.size()) << seed << ": " << s.description;
-      EXPECT_EQ(word(hidden.stability), word(plain.stability)) << seed << ": " << s.description << " " << s.condition;
+      EXPECT_EQ(to_string(hidden.stability), to_string(plain.stability)) << seed << ": " << s.description << " " << s.condition;
     }
     if (found.size() != expected.size()) continue;  // an ω of an indefinite K within rounding · cond of the axis
     const double largest = expected.empty() ? 0 : expected.back();
@@ -81,11 +81,11 @@ TEST(ReversingSymmetry, PerturbedSystemsAreNot) {
     const Scrambled s = scrambled_system(seed, order_of(seed), 1e3);
     const SymmetrySearch f = search(support::with_perturbed_gyroscopic(s.hidden, 1e-6, seed));
     if (s.repeated && f.found) {
-      EXPECT_LE(f.breach, 1e-9) << seed << ": " << s.description;
+      EXPECT_LE(f.departure, 1e-9) << seed << ": " << s.description;
       continue;
     }
-    EXPECT_FALSE(f.found) << seed << ": " << s.description << ", condition " << s.condition << ", breach " << f.breach << " of " << f.threshold;
-    EXPECT_GE(f.breach, 100 * f.threshold) << seed;
+    EXPECT_FALSE(f.found) << seed << ": " << s.description << ", condition " << s.condition << ", departure " << f.departure << " of " << f.threshold;
+    EXPECT_GE(f.departure, 100 * f.threshold) << seed;
   }
 }
 
@@ -102,7 +102,7 @@ TEST(ReversingSymmetry, MirrorInWords) {
   const System s(Matrix::Identity(4, 4), skew_part(turn.transpose() * g * turn), symmetric_part(turn.transpose() * k * turn), {"x1", "y1", "x2", "y2"});
   const SymmetrySearch f = search(s);
   ASSERT_TRUE(f.found);
-  EXPECT_LE(f.breach, 1e-14);
+  EXPECT_LE(f.departure, 1e-14);
   const std::string words = in_words(f.found->reflection(s.mass()), s.labels());
   EXPECT_TRUE(words == "a mirror or half-turn along the line at -20° in the planes (x1, y1), (x2, y2): 2 in phase, 2 in quadrature" ||
               words == "a mirror or half-turn along the line at 70° in the planes (x1, y1), (x2, y2): 2 in phase, 2 in quadrature")
@@ -151,8 +151,8 @@ TEST(ReversingSymmetry, SingularAndIndefiniteStiffness) {
     const System hidden(Matrix::Identity(n, n), skew_part(t.transpose() * g * t), symmetric_part(t.transpose() * k * t));
     const ModesResult a = find_modes(plain), b2 = find_modes(hidden, by(dense::Method::hidden)), c = find_modes(hidden, by(dense::Method::general));
     ASSERT_EQ(a.modes.size(), b2.modes.size()) << trial;
-    EXPECT_EQ(word(a.stability), word(b2.stability)) << trial;
-    EXPECT_EQ(word(b2.coverage.status), "complete") << trial << " " << b2.coverage.reason;
+    EXPECT_EQ(to_string(a.stability), to_string(b2.stability)) << trial;
+    EXPECT_EQ(to_string(b2.coverage.status), "complete") << trial << " " << b2.coverage.reason;
     EXPECT_EQ(b2.index_balance.zero, c.index_balance.zero) << trial;
     EXPECT_EQ(b2.unstable.size(), c.unstable.size()) << trial;
     for (std::size_t i = 0; i < a.modes.size(); ++i) EXPECT_NEAR(a.modes[i].omega, b2.modes[i].omega, 1e-12 * a.modes.back().omega) << trial;
@@ -168,7 +168,7 @@ TEST(ReversingSymmetry, GradedStiffnessHidesNothing) {
       Matrix k = root * root.transpose() / static_cast<double>(n) + Matrix::Identity(n, n);
       k(n - 1, n - 1) = stiff;
       const SymmetrySearch f = find_reversing_symmetry(Matrix::Identity(n, n), s.skew(n), symmetric_part(k));
-      EXPECT_FALSE(f.found) << n << " " << stiff << ": breach " << f.breach << " of " << f.threshold;
+      EXPECT_FALSE(f.found) << n << " " << stiff << ": departure " << f.departure << " of " << f.threshold;
     }
   }
 }
@@ -195,7 +195,7 @@ TEST(ReversingSymmetry, SpinningBeams) {
       g.topRightCorner(m, m) = -g.bottomLeftCorner(m, m);
       const System s(Matrix::Identity(2 * m, 2 * m), skew_part(t * g * t.transpose()), symmetric_part(t * k * t.transpose()));
       const SymmetrySearch f = search(s);
-      EXPECT_TRUE(f.found) << m << " " << spin << ", breach " << f.breach << " of " << f.threshold;
+      EXPECT_TRUE(f.found) << m << " " << spin << ", departure " << f.departure << " of " << f.threshold;
     }
   }
 }
@@ -204,7 +204,7 @@ TEST(ReversingSymmetry, ScrambledSystemsAreCertified) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Scrambled s = scrambled_system(seed, 24, 1e6);
     const ModesResult r = find_modes(s.hidden);
-    EXPECT_EQ(word(r.coverage.status), "complete") << seed << ": " << s.description << ", " << r.coverage.reason;
+    EXPECT_EQ(to_string(r.coverage.status), "complete") << seed << ": " << s.description << ", " << r.coverage.reason;
   }
 }
 

@@ -279,11 +279,11 @@ Congruence random_congruence(Index n, bool semidefinite, Random& random) {
   return c;
 }
 
-void expect_counts(const Definiteness& found, const Congruence& truth) {
+void expect_counts(const StiffnessInertia& found, const Congruence& truth) {
   EXPECT_EQ(found.negative, truth.negative) << truth.k;
   EXPECT_EQ(found.zero, truth.zero) << truth.k;
   EXPECT_EQ(found.positive, truth.positive) << truth.k;
-  EXPECT_EQ(found.sign(), truth.negative > 0 ? Sign::indefinite : truth.zero > 0 ? Sign::semidefinite : Sign::positive);
+  EXPECT_EQ(found.definiteness(), truth.negative > 0 ? Definiteness::indefinite : truth.zero > 0 ? Definiteness::semidefinite : Definiteness::positive);
 }
 
 TEST(Definiteness, InertiaAndNullSpaceOfCongruencesInAnyUnits) {
@@ -297,7 +297,7 @@ TEST(Definiteness, InertiaAndNullSpaceOfCongruencesInAnyUnits) {
     for (const double unit : unit_scales) {
       for (const Vector& t : {Vector(Vector::Ones(n)), unequal}) {
         const Matrix k = unit * symmetric_part(t.asDiagonal() * c.k * t.asDiagonal());
-        const Definiteness found = definiteness(k);
+        const StiffnessInertia found = inertia_of_k(k);
         expect_counts(found, c);
         ASSERT_EQ(found.null_space.rows(), n);
         ASSERT_EQ(found.null_space.cols(), found.zero);
@@ -320,19 +320,19 @@ TEST(Definiteness, InertiaAndNullSpaceOfCongruencesInAnyUnits) {
 }
 
 TEST(Definiteness, EdgeCases) {
-  const Definiteness nothing = definiteness(Matrix(0, 0)), zero = definiteness(Matrix::Zero(3, 3));
-  EXPECT_TRUE(nothing.negative == 0 && nothing.zero == 0 && nothing.positive == 0 && nothing.sign() == Sign::positive);
-  EXPECT_TRUE(zero.negative == 0 && zero.zero == 3 && zero.positive == 0 && zero.sign() == Sign::semidefinite);
+  const StiffnessInertia nothing = inertia_of_k(Matrix(0, 0)), zero = inertia_of_k(Matrix::Zero(3, 3));
+  EXPECT_TRUE(nothing.negative == 0 && nothing.zero == 0 && nothing.positive == 0 && nothing.definiteness() == Definiteness::positive);
+  EXPECT_TRUE(zero.negative == 0 && zero.zero == 3 && zero.positive == 0 && zero.definiteness() == Definiteness::semidefinite);
   EXPECT_NEAR(std::abs(zero.null_space.determinant()), 1, 10 * epsilon);
   for (const double unit : {1e-300, 1e-9, 1.0, 1e9, 1e300}) {
-    EXPECT_EQ(definiteness(Matrix{{unit}}).sign(), Sign::positive);
-    EXPECT_EQ(definiteness(Matrix{{-unit}}).sign(), Sign::indefinite);
-    EXPECT_EQ(definiteness(unit * Matrix{{0, 1}, {1, 0}}).negative, 1);
-    EXPECT_EQ(definiteness(unit * Matrix{{1, -1}, {-1, 1}}).zero, 1);
-    EXPECT_EQ(definiteness(unit * Matrix{{0, 0}, {0, 1}}).zero, 1);
+    EXPECT_EQ(inertia_of_k(Matrix{{unit}}).definiteness(), Definiteness::positive);
+    EXPECT_EQ(inertia_of_k(Matrix{{-unit}}).definiteness(), Definiteness::indefinite);
+    EXPECT_EQ(inertia_of_k(unit * Matrix{{0, 1}, {1, 0}}).negative, 1);
+    EXPECT_EQ(inertia_of_k(unit * Matrix{{1, -1}, {-1, 1}}).zero, 1);
+    EXPECT_EQ(inertia_of_k(unit * Matrix{{0, 0}, {0, 1}}).zero, 1);
   }
-  EXPECT_EQ(definiteness(Matrix{{0}}).sign(), Sign::semidefinite);
-  EXPECT_EQ(std::abs(definiteness(Matrix{{0}}).null_space(0, 0)), 1);
+  EXPECT_EQ(inertia_of_k(Matrix{{0}}).definiteness(), Definiteness::semidefinite);
+  EXPECT_EQ(std::abs(inertia_of_k(Matrix{{0}}).null_space(0, 0)), 1);
 }
 
 // ---- known not to hold yet
@@ -340,11 +340,11 @@ TEST(Definiteness, EdgeCases) {
 TEST(Definiteness, SingularWhereTheConditionEstimateIsBlind) {  // K = FᵀF, F 4 × 5; a pivot of 2e-16, but rcond said 0.01
   const Matrix k{{3, 0, 0, 2, -1}, {0, 3, 2, 2, 2}, {0, 2, 3, 2, 0}, {2, 2, 2, 3, 0}, {-1, 2, 0, 0, 3}};
   EXPECT_EQ(k.fullPivLu().rank(), 4);
-  EXPECT_EQ(definiteness(k).zero, 1);
+  EXPECT_EQ(inertia_of_k(k).zero, 1);
 }
 
 TEST(Definiteness, FreeCoordinateIsNullInAnyUnit) {  // its row of zeros keeps d = 1 beside 3e4: the null vector is off by 2e-11
-  const Definiteness d = definiteness(1e-9 * Matrix{{2, 0, 1}, {0, 0, 0}, {1, 0, 1}});
+  const StiffnessInertia d = inertia_of_k(1e-9 * Matrix{{2, 0, 1}, {0, 0, 0}, {1, 0, 1}});
   ASSERT_EQ(d.zero, 1);
   EXPECT_LE(std::hypot(d.null_space(0, 0), d.null_space(2, 0)), 100 * epsilon);
 }
@@ -352,7 +352,7 @@ TEST(Definiteness, FreeCoordinateIsNullInAnyUnit) {  // its row of zeros keeps d
 // Columns of length 1 point the same way once the units differ, unless they are made independent.
 TEST(Definiteness, NullSpaceHasFullRankInMixedUnits) {
   const Vector u = Eigen::Vector4d(1, 2, 3, 4), v = Eigen::Vector4d(1, -1, 1, 2), t = Eigen::Vector4d(0x1p-30, 0x1p-10, 0x1p10, 0x1p30);
-  const Definiteness d = definiteness(t.asDiagonal() * (u * u.transpose() + v * v.transpose()) * t.asDiagonal());
+  const StiffnessInertia d = inertia_of_k(t.asDiagonal() * (u * u.transpose() + v * v.transpose()) * t.asDiagonal());
   ASSERT_EQ(d.zero, 2);
   EXPECT_GT(small::singular_values(Matrix(d.null_space).cast<Complex>())(1), 0.1);
 }

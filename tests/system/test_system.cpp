@@ -47,20 +47,20 @@ std::string first_order_verdict(const Model& a) {
   return "accepted";
 }
 
-struct Breach {
+struct Departure {
   Model model;
   std::string message;
 };
 
 template <class Change>
-Breach broken(Change change, std::string message) {
+Departure broken(Change change, std::string message) {
   Model a = good();
   change(a);
   return {a, std::move(message)};
 }
 
 // Breaches in units: the same at every scale but for the entries quoted. `M` also reads as I, the inertia of first order.
-std::vector<Breach> breaches() {
+std::vector<Departure> departures() {
   return {
       broken([](Model& a) { a.m.resize(2, 3); }, "M must be square: it has 2 rows and 3 columns"),
       broken([](Model& a) { a.m.resize(0, 0); }, "M must have at least one coordinate: it is empty"),
@@ -91,7 +91,7 @@ std::vector<Breach> breaches() {
   };
 }
 
-std::vector<Breach> breaches_of_stiffness() {
+std::vector<Departure> departures_of_stiffness() {
   return {
       broken([](Model& a) { a.k.resize(2, 1); }, "K must be square: it has 2 rows and 1 columns"),
       broken([](Model& a) { a.k.resize(0, 0); }, "K must have at least one coordinate: it is empty"),
@@ -136,17 +136,17 @@ TEST(FirstOrderSystem, GoodModelsAreAcceptedAndKept) {
 }
 
 TEST(System, BrokenPromisesNameLawSizeAndPlace) {
-  for (const auto& [model, message] : breaches()) EXPECT_EQ(verdict(model), message);
-  for (const auto& [model, message] : breaches_of_stiffness()) EXPECT_EQ(verdict(model), message);
+  for (const auto& [model, message] : departures()) EXPECT_EQ(verdict(model), message);
+  for (const auto& [model, message] : departures_of_stiffness()) EXPECT_EQ(verdict(model), message);
 }
 
 TEST(FirstOrderSystem, BrokenPromisesNameLawSizeAndPlace) {
-  for (const auto& [model, message] : breaches()) EXPECT_EQ(first_order_verdict(model), of_first_order(message));
+  for (const auto& [model, message] : departures()) EXPECT_EQ(first_order_verdict(model), of_first_order(message));
 }
 
 TEST(System, VerdictsDoNotDependOnTheUnitOfMass) {
-  auto all = breaches();
-  for (auto& b : breaches_of_stiffness()) all.push_back(b);
+  auto all = departures();
+  for (auto& b : departures_of_stiffness()) all.push_back(b);
   all.push_back({good(), "accepted"});
   for (const double unit : unit_scales) {
     for (const auto& [model, message] : all) {
@@ -183,7 +183,7 @@ TEST(System, RoundingIsTakenAsSymmetricAndReported) {
 
 TEST(System, SixteenEpsilonIsTheLimitOfRounding) {
   for (const double unit : unit_scales) {
-    const auto with = [&](double breach) { return verdict({unit * Matrix::Identity(2, 2), Matrix::Zero(2, 2), unit * Matrix{{1, breach}, {0, 1}}}); };
+    const auto with = [&](double departure) { return verdict({unit * Matrix::Identity(2, 2), Matrix::Zero(2, 2), unit * Matrix{{1, departure}, {0, 1}}}); };
     EXPECT_EQ(with(15 * epsilon), "accepted");
     EXPECT_NE(with(17 * epsilon), "accepted");
   }

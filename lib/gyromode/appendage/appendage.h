@@ -1,9 +1,9 @@
 #pragma once
 
-#include "gyromode/appendage/turning.h"
+#include "gyromode/appendage/spin_operators.h"
 #include "gyromode/appendage/mass_properties.h"
-#include "gyromode/impedance/couplings.h"
-#include "gyromode/impedance/lifted.h"
+#include "gyromode/roots/couplings.h"
+#include "gyromode/roots/lifted.h"
 
 #include <string>
 #include <vector>
@@ -33,7 +33,7 @@ class Appendage {
   virtual void couple(Couplings& to, Index first) const = 0;
   /// Adds to the matrix its share of the body's six rows and columns, and its own rows and columns from `first` on; ω in rad per unit of time, > 0 or the limit 0.
   virtual void add(double omega, Lifted& to, Index first) const = 0;
-  /// The same continued to complex ω (growth rate −Im ω): not Hermitian, analytic; `held` is left alone.
+  /// The same continued to complex ω (growth rate −Im ω): not Hermitian, analytic; `poles_below` is left alone.
   virtual void add(Complex omega, Lifted& to, Index first) const = 0;
 
   /// ∫ u dm in the plane of axes 1 and 2, of the displacement u relative to the body, for a null vector of the Lifted matrix: `body` its first six entries, `own` those of this appendage.

@@ -10,8 +10,8 @@ namespace {
 
 constexpr Index points_of_a_beam = 33;
 
-Index count_held(double own, double kappa, double phi) { return cantilever_poles_below(kappa, 1, phi) - (own < 0 ? 1 : 0); }
-Index count_held(const Complex&, const Complex&, const Complex&) { return 0; }
+Index own_poles_below(double own, double kappa, double phi) { return cantilever_poles_below(kappa, 1, phi) - (own < 0 ? 1 : 0); }
+Index own_poles_below(const Complex&, const Complex&, const Complex&) { return 0; }
 
 }  // namespace
 
@@ -30,7 +30,7 @@ template <class T>
 BeamAppendage::Cantilevers<T> BeamAppendage::decoupled(const T& omega) const {
   const double density = beam_.line_density;
   const double e1 = beam_.bending_stiffness[0], e2 = beam_.bending_stiffness[1];
-  const Turning<T> f(omega, spin_, 0);
+  const SpinOperators<T> f(omega, spin_, 0);
   const T first = density / e1 * f.p, second = density / e2 * f.p, cross = density / std::sqrt(e1 * e2) * f.t;
   const T half = 0.5 * (first - second), mean = 0.5 * (first + second);
   T root = std::sqrt(half * half + cross * cross);
@@ -59,7 +59,7 @@ BeamAppendage::Cantilevers<T> BeamAppendage::decoupled(const T& omega) const {
 // Rows of the loads 1 and s/l of a cantilever of unit length, times l^(5/2): ρφᵀN(ζ + z(θ2, −θ1)), z = h ± s, with Nζ = Bξ and η = jY.
 template <class T>
 BeamAppendage::Rows BeamAppendage::loads(const T& omega, const T (&phi)[2], Complex j) const {
-  const Turning<T> f(omega, spin_, j);
+  const SpinOperators<T> f(omega, spin_, j);
   const double l = beam_.length;
   const double weight = beam_.line_density * l * l * std::sqrt(l);
   Rows r = Rows::Zero();
@@ -88,9 +88,9 @@ template <class T>
 void BeamAppendage::add_to(const T& omega, Lifted& to, Index first) const {
   const Cantilevers<T> c = decoupled(omega);
   for (Index k = 0; k < 2; ++k) {
-    const Answer<T> answer = cantilever_answer(c.kappa[k], 1, tip_ratio_);
+    const FieldResponse<T> answer = cantilever_answer(c.kappa[k], 1, tip_ratio_);
     const Pole<T> pole(answer);
-    const Kept<T> keep = kept(pole, answer.phi);
+    const LiftedEntry<T> keep = kept(pole, answer.phi);
     const Rows right = loads(omega, c.phi[k], Complex(0, 1)), left = loads(omega, c.phi[k], Complex(0, -1));
     Eigen::Matrix<Complex, 2, 2> regular;
     regular << pole.regular11, pole.regular12, pole.regular12, pole.regular22;
@@ -99,7 +99,7 @@ void BeamAppendage::add_to(const T& omega, Lifted& to, Index first) const {
     to.matrix(at, at) = keep.own;
     to.matrix.row(at).head<body_coordinates>() = keep.right * (pole.e1 * right.row(0) + pole.e2 * right.row(1));
     to.matrix.col(at).head<body_coordinates>() = keep.left * (pole.e1 * left.row(0) + pole.e2 * left.row(1)).transpose();
-    to.held[static_cast<std::size_t>(at)] = count_held(keep.own, c.kappa[k], answer.phi);
+    to.poles_below[static_cast<std::size_t>(at)] = own_poles_below(keep.own, c.kappa[k], answer.phi);
   }
 }
 
@@ -109,7 +109,7 @@ Eigen::Vector2cd BeamAppendage::first_moment(double omega, const ComplexVector& 
   const double weight = beam_.line_density * beam_.length * beam_.length * std::sqrt(beam_.length);
   Eigen::Vector2cd moment = Eigen::Vector2cd::Zero();
   for (Index k = 0; k < 2; ++k) {
-    const Answer<double> answer = cantilever_answer(c.kappa[k], 1, tip_ratio_);
+    const FieldResponse<double> answer = cantilever_answer(c.kappa[k], 1, tip_ratio_);
     const Complex integral = weight * first_of_answer(answer, own(k), loads(omega, c.phi[k], Complex(0, 1)) * body);
     moment(0) += c.phi[k][0] * integral;
     moment(1) += Complex(0, -1) * c.phi[k][1] * integral;  // Y = −jη
@@ -133,7 +133,7 @@ std::vector<ComplexMatrix> BeamAppendage::displaced(double omega, const ComplexV
   ComplexMatrix d = ComplexMatrix::Zero(3, points_of_a_beam);
   for (Index k = 0; k < 2; ++k) {
     double kappa = c.kappa[k];
-    Answer<double> answer = cantilever_answer(kappa, 1, tip_ratio_);
+    FieldResponse<double> answer = cantilever_answer(kappa, 1, tip_ratio_);
     const Pole<double> pole(answer);
     const double border = kept(pole, answer.phi).left;
     constexpr double beside = 1e-7;

@@ -36,7 +36,7 @@ std::array<T, 8> krylov(const T& kappa, double x) {
 // ψ = l₁K₄ + l₂K₅ + ψ₂K₂ + ψ₃K₃ with the two conditions at the tip, A(ψ₂, ψ₃) = −R(l₁, l₂), and C = P − Z A⁻¹ R. Sums of terms of one sign but for the determinants; that of
 // Q is φ times the determinant of [A R; Z P].
 template <class T>
-Answer<T> by_series(const T& kappa, double l, double e) {
+FieldResponse<T> by_series(const T& kappa, double l, double e) {
   const auto k = krylov(kappa, l);
   Eigen::Matrix<T, 4, 4> m;
   m << k[0], k[1], k[2], k[3],                                                  // ψ″(l)
@@ -56,7 +56,7 @@ T scaled_determinant(const T& b, const T& r) { return 1.0 / std::cosh(b) + std::
 
 // Q = −N/κ², lump = M/κ with N/Δ the dynamic stiffness of the root and M the mass matrix of the rigid beam; hyperbolic functions divided by cosh b, so that nothing overflows.
 template <class T>
-Answer<T> closed_form(const T& kappa, double l, double e) {
+FieldResponse<T> closed_form(const T& kappa, double l, double e) {
   const T beta = std::sqrt(std::sqrt(kappa));
   const T b = beta * l;
   const T r = e * beta;
@@ -75,7 +75,7 @@ Answer<T> closed_form(const T& kappa, double l, double e) {
 }
 
 template <class T>
-Answer<T> answer(const T& kappa, double length, double tip_length) {
+FieldResponse<T> answer(const T& kappa, double length, double tip_length) {
   constexpr double series_up_to = 2;  // b = κ^¼ l: below, the closed form cancels; above, the series does
   const double b = std::sqrt(std::sqrt(std::abs(kappa))) * length;
   return b < series_up_to ? by_series(kappa, length, tip_length) : closed_form(kappa, length, tip_length);
@@ -83,8 +83,8 @@ Answer<T> answer(const T& kappa, double length, double tip_length) {
 
 }  // namespace
 
-Answer<double> cantilever_answer(double kappa, double length, double tip_length) { return answer(kappa, length, tip_length); }
-Answer<Complex> cantilever_answer(Complex kappa, double length, double tip_length) { return answer(kappa, length, tip_length); }
+FieldResponse<double> cantilever_answer(double kappa, double length, double tip_length) { return answer(kappa, length, tip_length); }
+FieldResponse<Complex> cantilever_answer(Complex kappa, double length, double tip_length) { return answer(kappa, length, tip_length); }
 
 // ψ = particular + c₁ cos βs + c₂ sin βs + c₃ e^{−βs} + c₄ e^{β(s−l)}: no large numbers.
 Vector cantilever_shape(double kappa, double length, double tip_length, double first, double second, const std::vector<double>& stations) {

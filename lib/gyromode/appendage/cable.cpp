@@ -80,8 +80,8 @@ CableGroup::Answers<T> CableGroup::answers(const T& omega) const {
   found.in_units[1] = root_m * one_.reach();
   found.out_units[0] = root_m;
   found.out_units[1] = root_m * one_.reach() * root_p;
-  found.in_plane = Answer<T>{found.field[0].value, v0 / p, omega * v1 / p, a * v1, v1 * s * square / (p * p), m0 / p, omega * s / p, T(inertia)}.scaled(1.0 / found.in_units[0], 1.0 / found.in_units[1]);
-  found.out_of_plane = Answer<T>{found.field[1].value, w0, -omega * a * w0, difference * a * w1, -a * w0 * s * square, T(m0), -omega * s, difference * inertia}
+  found.in_plane = FieldResponse<T>{found.field[0].value, v0 / p, omega * v1 / p, a * v1, v1 * s * square / (p * p), m0 / p, omega * s / p, T(inertia)}.scaled(1.0 / found.in_units[0], 1.0 / found.in_units[1]);
+  found.out_of_plane = FieldResponse<T>{found.field[1].value, w0, -omega * a * w0, difference * a * w1, -a * w0 * s * square, T(m0), -omega * s, difference * inertia}
                            .scaled(1.0 / found.out_units[0], 1.0 / found.out_units[1]);
   return found;
 }
@@ -92,7 +92,7 @@ namespace {
 
 // Rows that the features of U and φ3 multiply: Bξ, N(θ2, −θ1), φ3.
 template <class T>
-Eigen::Matrix<Complex, 5, body_coordinates> in_plane_rows(const Turning<T>& f) {
+Eigen::Matrix<Complex, 5, body_coordinates> in_plane_rows(const SpinOperators<T>& f) {
   Eigen::Matrix<Complex, 5, body_coordinates> r = Eigen::Matrix<Complex, 5, body_coordinates>::Zero();
   r(0, 0) = r(1, 1) = f.omega;
   r(0, 1) = f.j * f.spin;
@@ -123,7 +123,7 @@ Eigen::Vector2cd CableGroup::first_moment(double omega, const ComplexVector& bod
 }
 
 Eigen::Matrix<Complex, 5, 1> CableGroup::in_plane_motions(double omega, const ComplexVector& body) const {
-  return in_plane_rows(Turning<double>(omega, spin_, Complex(0, 1))) * body;
+  return in_plane_rows(SpinOperators<double>(omega, spin_, Complex(0, 1))) * body;
 }
 
 // U = e_tᵀ(Bξ + hN(θ2, −θ1)) and θ_t.
@@ -142,19 +142,19 @@ Eigen::Matrix<Complex, 3, body_coordinates> out_of_plane_rows() {
   return r;
 }
 
-Index count_held(double own, Index zeros) { return zeros - (own < 0 ? 1 : 0); }
-Index count_held(const Complex&, Index) { return 0; }
+Index own_poles_below(double own, Index zeros) { return zeros - (own < 0 ? 1 : 0); }
+Index own_poles_below(const Complex&, Index) { return 0; }
 
 // The share of one field in all its patterns; loads(l, k) tells whether feature k belongs to load l.
 template <class T, int features>
-void add_field(const Answer<T>& answer, const T (&units)[2], Index zeros, const Patterns& patterns, const Eigen::Matrix<double, 2, features>& loads,
+void add_field(const FieldResponse<T>& answer, const T (&units)[2], Index zeros, const Patterns& patterns, const Eigen::Matrix<double, 2, features>& loads,
                Eigen::Matrix<Complex, features, body_coordinates> right, Eigen::Matrix<Complex, features, body_coordinates> left, Lifted& to, Index first) {
   for (int i = 0; i < features; ++i) {
     right.row(i) *= units[loads(0, i) != 0 ? 0 : 1];
     left.row(i) *= units[loads(0, i) != 0 ? 0 : 1];
   }
   const Pole<T> pole(answer);
-  const Kept<T> keep = kept(pole, answer.phi);
+  const LiftedEntry<T> keep = kept(pole, answer.phi);
   // − Wᵀ regular W summed over the cables: feature by feature with the Gram matrix.
   Eigen::Matrix<Complex, features, features> middle;
   for (int i = 0; i < features; ++i) {
@@ -167,7 +167,7 @@ void add_field(const Answer<T>& answer, const T (&units)[2], Index zeros, const 
   for (Index q = 0; q < patterns.vectors.cols(); ++q) {
     const Index at = first + q;
     to.matrix(at, at) = keep.own;
-    to.held[static_cast<std::size_t>(at)] = count_held(keep.own, zeros);
+    to.poles_below[static_cast<std::size_t>(at)] = own_poles_below(keep.own, zeros);
     if (q >= patterns.coupled) continue;
     Eigen::Matrix<Complex, 1, features> weight;
     for (int i = 0; i < features; ++i) weight(i) = (loads(0, i) != 0 ? pole.e1 : pole.e2) * patterns.response(q, i);
@@ -215,7 +215,7 @@ void CableGroup::couple(Couplings& to, Index first) const {
 template <class T>
 void CableGroup::add_to(const T& omega, Lifted& to, Index first) const {
   const Answers<T> a = answers(omega);
-  const Turning<T> plus(omega, spin_, Complex(0, 1)), minus(omega, spin_, Complex(0, -1));
+  const SpinOperators<T> plus(omega, spin_, Complex(0, 1)), minus(omega, spin_, Complex(0, -1));
   add_field<T, 5>(a.in_plane, a.in_units, a.field[0].zeros, in_plane_, in_plane_loads, in_plane_rows(plus), in_plane_rows(minus), to, first);
   add_field<T, 3>(a.out_of_plane, a.out_units, a.field[1].zeros, out_of_plane_, out_of_plane_loads, out_of_plane_rows(), out_of_plane_rows(), to, first + count());
 }

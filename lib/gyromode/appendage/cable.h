@@ -49,7 +49,7 @@ class CableGroup : public Appendage {
   // Loads in units of the wire: U/√p and bφ3 in plane, ξ3 and b√p θ_t out of plane, times √m.
   template <class T>
   struct Answers {
-    Answer<T> in_plane, out_of_plane;
+    FieldResponse<T> in_plane, out_of_plane;
     T in_units[2], out_units[2];
     std::array<WireField<T>, 2> field;
   };

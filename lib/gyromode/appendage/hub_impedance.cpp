@@ -44,7 +44,7 @@ HubMatrix condensed(const Lifted& lifted) {
 }
 
 HubMatrix rigid_impedance(const MassProperties& m, double omega, double spin) {
-  const Eigen::Matrix3cd n = inertia_operator(Turning<double>(omega, spin, Complex(0, 1)));
+  const Eigen::Matrix3cd n = inertia_operator(SpinOperators<double>(omega, spin, Complex(0, 1)));
   HubMatrix h = HubMatrix::Zero();
   h.topLeftCorner<3, 3>() = -m.mass * n;
   h.topRightCorner<3, 3>() = n * cross(m.first);
@@ -55,8 +55,8 @@ HubMatrix rigid_impedance(const MassProperties& m, double omega, double spin) {
   }
   Eigen::Matrix3d across = m.second;
   across.row(2).setZero();  // P ∫ p pᵀ dm
-  const Eigen::Matrix3d held = 0.5 * (across + across.transpose()) - across.trace() * Eigen::Matrix3d::Identity();
-  h.bottomRightCorner<3, 3>() = turned - (spin * spin * held).cast<Complex>();
+  const Eigen::Matrix3d steady = 0.5 * (across + across.transpose()) - across.trace() * Eigen::Matrix3d::Identity();
+  h.bottomRightCorner<3, 3>() = turned - (spin * spin * steady).cast<Complex>();
   return h;
 }
 
@@ -70,7 +70,7 @@ HubMatrix hub_impedance(const Appendage& appendage, double omega, double spin) {
 Index fixed_root_negative(const Appendage& appendage, double omega) {
   const Lifted l = alone(appendage, omega);
   const Index own = appendage.coordinates();
-  Index count = std::accumulate(l.held.begin(), l.held.end(), Index{0});
+  Index count = std::accumulate(l.poles_below.begin(), l.poles_below.end(), Index{0});
   if (own > 0) {
     const ComplexMatrix kept = l.matrix.bottomRightCorner(own, own);
     count += (small::hermitian_eigenvalues(kept).array() < 0).count();

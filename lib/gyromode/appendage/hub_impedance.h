@@ -8,7 +8,7 @@ namespace gyromode {
 /// H = K − ω²M + jωG, Hermitian. N and m, per m and rad.
 using HubMatrix = Eigen::Matrix<Complex, 6, 6>;
 
-/// T of y = T (ζ, θ), y the body coordinates of Turning: ω > 0.
+/// T of y = T (ζ, θ), y the body coordinates of SpinOperators: ω > 0.
 HubMatrix body_coordinates_of(double omega, double spin);
 
 /// A Lifted matrix with everything but the six body coordinates eliminated (Boland & Janssens 1979, Eq. 13). Not finite at a pole.

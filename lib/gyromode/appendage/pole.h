@@ -8,14 +8,14 @@ namespace gyromode {
 
 /// How a field of one unknown answers two loads, symmetric 2 × 2: C = Q/φ − lump, with φ = 0 at its fixed-root frequencies, where Q has rank 1: det Q = φ · det.
 template <class T>
-struct Answer {
+struct FieldResponse {
   T phi;
   T q11, q12, q22;
   T det;
   T lump11, lump12, lump22;
 
   /// C in units in which the loads are divided by s1 and s2.
-  Answer scaled(const T& s1, const T& s2) const {
+  FieldResponse scaled(const T& s1, const T& s2) const {
     return {phi, s1 * s1 * q11, s1 * s2 * q12, s2 * s2 * q22, s1 * s1 * s2 * s2 * det, s1 * s1 * lump11, s1 * s2 * lump12, s2 * s2 * lump22};
   }
 };
@@ -29,7 +29,7 @@ struct Pole {
   T a;
   T regular11, regular12, regular22;
 
-  explicit Pole(const Answer<T>& c) {
+  explicit Pole(const FieldResponse<T>& c) {
     const T half = 0.5 * (c.q11 - c.q22);
     const T mean = 0.5 * (c.q11 + c.q22);
     T root = std::sqrt(half * half + c.q12 * c.q12);
@@ -51,20 +51,20 @@ struct Pole {
 
 /// The entries of the kept coordinate: `own` = sφ/a, with √s on either side of its border. Real: s = |a|/√(φ² + a²), bounded and smooth at the pole and far from it.
 template <class T>
-struct Kept {
+struct LiftedEntry {
   T own, left, right;
 };
-inline Kept<double> kept(const Pole<double>& p, double phi) {
+inline LiftedEntry<double> kept(const Pole<double>& p, double phi) {
   const double size = std::hypot(phi, p.a);
   const double border = std::sqrt(std::abs(p.a) / size);
   return {(p.a < 0 ? -phi : phi) / size, border, border};
 }
 /// (Cℓ)₁, what the field does against the first load: finite at a pole, where eᵀℓ a/φ = −√s x.
-inline Complex first_of_answer(const Answer<double>& answer, const Complex& x, const Eigen::Vector2cd& loads) {
+inline Complex first_of_answer(const FieldResponse<double>& answer, const Complex& x, const Eigen::Vector2cd& loads) {
   const Pole<double> pole(answer);
   return -kept(pole, answer.phi).left * x * pole.e1 + pole.regular11 * loads(0) + pole.regular12 * loads(1);
 }
 /// Complex: analytic.
-inline Kept<Complex> kept(const Pole<Complex>& p, const Complex& phi) { return {phi, 1, p.a}; }
+inline LiftedEntry<Complex> kept(const Pole<Complex>& p, const Complex& phi) { return {phi, 1, p.a}; }
 
 }  // namespace gyromode

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gyromode/appendage/turning.h"
-#include "gyromode/impedance/couplings.h"
+#include "gyromode/appendage/spin_operators.h"
+#include "gyromode/roots/couplings.h"
 
 #include <array>
 

@@ -10,7 +10,7 @@ namespace {
 
 // −N₃(ζ + θ × p) + Ω² θ × Pp on (ξ, θ1, θ2, φ3); the two terms of φ3 together are divided by ω.
 template <class T>
-Eigen::Matrix<Complex, 3, body_coordinates> rows_of(const Turning<T>& f, const Eigen::Vector3d& at) {
+Eigen::Matrix<Complex, 3, body_coordinates> rows_of(const SpinOperators<T>& f, const Eigen::Vector3d& at) {
   const double x = at(0), y = at(1), z = at(2);
   const double square = f.spin * f.spin;
   Eigen::Matrix<Complex, 3, body_coordinates> r = Eigen::Matrix<Complex, 3, body_coordinates>::Zero();
@@ -57,7 +57,7 @@ void SpringMassAppendage::couple(Couplings& to, Index first) const {
 
 template <class T>
 void SpringMassAppendage::add_to(const T& omega, Lifted& to, Index first) const {
-  const Turning<T> plus(omega, spin_, Complex(0, 1)), minus(omega, spin_, Complex(0, -1));
+  const SpinOperators<T> plus(omega, spin_, Complex(0, 1)), minus(omega, spin_, Complex(0, -1));
   const auto right = rows_of(plus, mass_.position), left = rows_of(minus, mass_.position);
   const Eigen::Matrix3cd n = inertia_operator(plus);
   for (Index a = 0; a < coordinates(); ++a) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/certificate/assess.h"
-#include "gyromode/dense/characteristic_products.h"
+#include "gyromode/dense/refinement/characteristic_products.h"
 
 namespace gyromode {
 

@@ -65,8 +65,8 @@ std::optional<Index> jump(const Impedance& h, const dense::Spectrum& s, const As
   for (double factor = nearest; factor <= farthest && (below > lowest || above < highest); factor *= 8) {
     below = std::max(s.omega(first) - factor * movement(s, a, first), lowest);
     above = std::min(s.omega(last) + factor * movement(s, a, last), highest);
-    const Inertia low = h.negative_at(below);
-    const Inertia high = h.negative_at(above);
+    const Inertia low = h.inertia_at(below);
+    const Inertia high = h.inertia_at(above);
     if (!low.doubtful() && !high.doubtful()) return high.negative - low.negative;
   }
   return std::nullopt;

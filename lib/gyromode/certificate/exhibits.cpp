@@ -2,7 +2,7 @@
 
 #include "gyromode/base/rounding.h"
 #include "gyromode/certificate/assess_unstable.h"
-#include "gyromode/dense/characteristic_factor.h"
+#include "gyromode/dense/refinement/characteristic_factor.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "gyromode/certificate/parseval.h"
 
-#include "gyromode/dense/characteristic_products.h"
+#include "gyromode/dense/refinement/characteristic_products.h"
 #include "gyromode/lapack/multiply.h"
 
 #include <cmath>

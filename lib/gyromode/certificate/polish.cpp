@@ -1,8 +1,8 @@
 #include "gyromode/certificate/polish.h"
 
 #include "gyromode/base/rounding.h"
-#include "gyromode/dense/correct_shapes.h"
-#include "gyromode/dense/refine.h"
+#include "gyromode/dense/refinement/correct_shapes.h"
+#include "gyromode/dense/refinement/refine.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "gyromode/base/rounding.h"
 #include "gyromode/certificate/polish.h"
-#include "gyromode/dense/refine_unstable.h"
+#include "gyromode/dense/refinement/refine_unstable.h"
 
 #include <algorithm>
 #include <cmath>

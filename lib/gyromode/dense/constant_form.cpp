@@ -2,12 +2,12 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/dense/mass_normal.h"
-#include "gyromode/dense/skew_tridiagonal.h"
+#include "gyromode/dense/general/skew_tridiagonal.h"
 #include "gyromode/dense/spectrum.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/reflectors.h"
 #include "gyromode/lapack/symmetric.h"
-#include "gyromode/structure/definiteness.h"
+#include "gyromode/structure/inertia_of_k.h"
 
 namespace gyromode::dense {
 
@@ -17,7 +17,7 @@ namespace {
 struct Form {
   Matrix w, displacement, velocity;
   std::optional<Matrix> orthogonal, bidiagonal;
-  std::string path;
+  std::string solver;
 };
 
 // A square f with k = f fᵀ for k ≥ 0 with `zero` zero eigenvalues: exactly zero columns for them.
@@ -45,7 +45,7 @@ Form from_groups(const Matrix& f, const Matrix& b, const Matrix& k2, const Matri
 
 struct PhaseGroups {
   Matrix k1, k2, b, to_x, to_y;
-  Definiteness d1, d2;
+  StiffnessInertia d1, d2;
 };
 
 Form by_groups(PhaseGroups g) {
@@ -59,7 +59,7 @@ Form by_groups(PhaseGroups g) {
     throw NotApplicable("K is indefinite in both groups of the partition: the real n × n matrix of such a system, P of theory (T6), is not symmetric");
   }
   Form form = from_groups(square_root(g.k1, g.d1.zero), g.b, g.k2, g.to_x, g.to_y);
-  form.path = "W = [fᵀf fᵀb; bᵀf bᵀb + k₂] (T5)";
+  form.solver = "W = [fᵀf fᵀb; bᵀf bᵀb + k₂] (T5)";
   return form;
 }
 
@@ -70,7 +70,7 @@ Matrix normal_coordinates(const MassNormal& normal) {
 }
 
 Form by_tridiagonal(const Matrix& mass, const Matrix& gyroscopic, const Matrix& stiffness) {
-  const Definiteness d = definiteness(stiffness);
+  const StiffnessInertia d = inertia_of_k(stiffness);
   if (d.negative > 0) throw NotApplicable("K is indefinite, and so is the stiffness of both groups of a quadrature partition, if there is one: a constant real symmetric matrix of order n with eigenvalues ω² is known for K ≥ 0 only");
   const Index n = mass.rows();
   const MassNormal normal(mass);
@@ -97,7 +97,7 @@ Form by_tridiagonal(const Matrix& mass, const Matrix& gyroscopic, const Matrix& 
   form.velocity = lapack::multiply(even.rightCols(n), to_x);
   form.orthogonal = std::move(q);
   form.bidiagonal = std::move(bidiagonal);
-  form.path = "W = DᵀD, tridiagonal, D the bidiagonal half of the skew tridiagonal form of order 2n (T8)";
+  form.solver = "W = DᵀD, tridiagonal, D the bidiagonal half of the skew tridiagonal form of order 2n (T8)";
   return form;
 }
 
@@ -110,7 +110,7 @@ Form of_partition(const System& s, const Component& c) {
   to_x.leftCols(to_x.rows()) = normal_coordinates(first);
   to_y.rightCols(to_y.rows()) = normal_coordinates(second);
   const Matrix k1 = s.stiffness()(one, one), k2 = s.stiffness()(two, two);
-  return by_groups({first.stiffness(k1), second.stiffness(k2), first.coupling(s.gyroscopic()(one, two), second), to_x, to_y, definiteness(k1), definiteness(k2)});
+  return by_groups({first.stiffness(k1), second.stiffness(k2), first.coupling(s.gyroscopic()(one, two), second), to_x, to_y, inertia_of_k(k1), inertia_of_k(k2)});
 }
 
 // A whole K ≥ 0 may be more than its parts by a symmetry show through rounding: then the general form serves.
@@ -118,7 +118,7 @@ Form of_symmetry(const System& s, const Component& c) {
   const auto& at = c.coordinates;
   const ReversingSymmetry& r = *c.search->found;
   const Matrix mass = s.mass()(at, at);
-  Definiteness d1 = definiteness(r.stiffness1), d2 = definiteness(r.stiffness2);
+  StiffnessInertia d1 = inertia_of_k(r.stiffness1), d2 = inertia_of_k(r.stiffness2);
   if (d1.negative > 0 && d2.negative > 0) return by_tridiagonal(mass, s.gyroscopic()(at, at), s.stiffness()(at, at));
   return by_groups({r.stiffness1, r.stiffness2, r.coupling, lapack::multiply_tn(r.in_phase, mass), lapack::multiply_tn(r.in_quadrature, mass), std::move(d1), std::move(d2)});
 }
@@ -148,7 +148,7 @@ ConstantForm constant_form(const System& s, const Structure& structure) {
       whole.orthogonal = std::move(form.orthogonal);
       whole.bidiagonal = std::move(form.bidiagonal);
     }
-    if (whole.path.find(form.path) == std::string::npos) whole.path += (whole.path.empty() ? "" : "; ") + form.path;
+    if (whole.solver.find(form.solver) == std::string::npos) whole.solver += (whole.solver.empty() ? "" : "; ") + form.solver;
     row += size;
   }
   return whole;

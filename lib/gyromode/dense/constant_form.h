@@ -16,7 +16,7 @@ struct ConstantForm {
   Matrix displacement, velocity;  ///< n × n each
   /// Of a system that is one component without partition, K ≥ 0: Z = QTQᵀ (theory (T8)), Q orthogonal 2n × 2n, D bidiagonal n × n with Dᵀ D = W.
   std::optional<Matrix> orthogonal, bidiagonal;
-  std::string path;
+  std::string solver;
 };
 
 /// Per component: W of (T5) where there is a quadrature partition, visible or hidden, with a stiffness ≥ 0 in one group; else DᵀD of (T8) where K ≥ 0. Negative eigenvalues of W are divergence; zero

@@ -1,10 +1,10 @@
-#include "gyromode/dense/definite.h"
+#include "gyromode/dense/general/definite.h"
 #include "gyromode/base/rounding.h"
 #include "gyromode/dense/mass_normal.h"
 #include "gyromode/dense/second_order.h"
 #include "gyromode/lapack/singular.h"
 #include "gyromode/lapack/symmetric.h"
-#include "gyromode/structure/definiteness.h"
+#include "gyromode/structure/inertia_of_k.h"
 
 namespace gyromode::dense {
 
@@ -24,7 +24,7 @@ void solve_partitioned(const Impedance& h, Spectrum& s) {
   s.im = -svd.vt.topRows(m).colwise().reverse().transpose();
   first.to_physical(s.re);
   second.to_physical(s.im);
-  s.path = "first order, quadrature: singular values of L₁⁻¹BL₂⁻ᵀ (real, p × r)";
+  s.solver = "first order, quadrature: singular values of L₁⁻¹BL₂⁻ᵀ (real, p × r)";
 }
 
 void solve_whole(const Matrix& inertia, const Matrix& g, Spectrum& s) {
@@ -36,7 +36,7 @@ void solve_whole(const Matrix& inertia, const Matrix& g, Spectrum& s) {
   s.im = std::move(modes.im);
   normal.to_physical(s.re);
   normal.to_physical(s.im);
-  s.path = "first order, general: singular values of a real bidiagonal matrix from the skew tridiagonal form of L⁻¹GL⁻ᵀ";
+  s.solver = "first order, general: singular values of a real bidiagonal matrix from the skew tridiagonal form of L⁻¹GL⁻ᵀ";
 }
 
 // An orthonormal basis of null(G), of the dimension that the count of modes leaves: the smallest eigenvalues of GᵀG.

@@ -5,7 +5,7 @@
 #include "gyromode/lapack/singular.h"
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
-#include "gyromode/structure/definiteness.h"
+#include "gyromode/structure/inertia_of_k.h"
 #include "gyromode/structure/ranked_skew.h"
 #include "gyromode/system/laws.h"
 #include "gyromode/system/scale.h"
@@ -23,7 +23,7 @@ struct Group {
   Matrix basis;  // in_phase or in_quadrature in these coordinates
   Matrix turn;   // Q
   Matrix k;
-  Definiteness d;
+  StiffnessInertia d;
 };
 
 Group with_null_space(const Matrix& basis, const Matrix& k, const Matrix& null) {
@@ -74,7 +74,7 @@ SplitNull split_null(const Matrix& null, Index p) {
 bool solve_second_order(const SecondOrder& m, const ReversingSymmetry& r, Spectrum& s) {
   const Index p = r.in_phase.cols();
   const Index q = r.in_quadrature.cols();
-  const Definiteness d = definiteness(m.stiffness);
+  const StiffnessInertia d = inertia_of_k(m.stiffness);
   SplitNull null{Matrix(p, 0), Matrix(q, 0)};
   if (d.zero > 0) {
     Matrix whole(m.size(), p + q);
@@ -101,7 +101,7 @@ bool solve_second_order(const SecondOrder& m, const ReversingSymmetry& r, Spectr
     s.unstable.right = (to_physical.cast<Complex>() * s.unstable.right).eval();
     s.unstable.left = (to_physical.cast<Complex>() * s.unstable.left).eval();
   }
-  s.path = "hidden " + s.path;
+  s.solver = "hidden " + s.solver;
   return true;
 }
 

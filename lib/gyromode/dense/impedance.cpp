@@ -271,7 +271,7 @@ Index Impedance::half_rank_of_gyroscopic() const {
 }
 
 // Above ω = 1 the impedance over ω² (over ω in first order), which has the same inertia and does not overflow.
-Inertia Impedance::negative_at(double omega) const {
+Inertia Impedance::inertia_at(double omega) const {
   const bool large = omega > 1;
   const double inverse = 1 / omega;
   const double on_k = !second_order_ ? 0 : large ? inverse * inverse : 1;

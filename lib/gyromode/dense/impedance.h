@@ -54,7 +54,7 @@ class Impedance {
   Index half_rank_of_gyroscopic() const;
 
   /// n₋(H(ω)), ω > 0, from the real symmetric H* where there is a partition, else from the Hermitian H. No ω is too large or too small for it.
-  Inertia negative_at(double omega) const;
+  Inertia inertia_at(double omega) const;
 
   /// A frequency of the size of the largest, in the unit of time given: max(√(‖K‖/‖M‖), ‖G‖/‖M‖).
   double typical_frequency() const;

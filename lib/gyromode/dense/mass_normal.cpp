@@ -34,7 +34,7 @@ StiffnessFactor::StiffnessFactor(const Matrix& k) {
   factor_ = std::make_shared<const PositiveFactor>(std::move(f));
 }
 
-StiffnessFactor::StiffnessFactor(const Matrix& k, const Definiteness& known) {
+StiffnessFactor::StiffnessFactor(const Matrix& k, const StiffnessInertia& known) {
   *this = known.factor ? StiffnessFactor(known.factor) : StiffnessFactor(k);
 }
 

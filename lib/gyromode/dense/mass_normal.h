@@ -2,7 +2,7 @@
 
 #include "gyromode/dense/unstable_roots.h"
 #include "gyromode/base/types.h"
-#include "gyromode/structure/definiteness.h"
+#include "gyromode/structure/inertia_of_k.h"
 
 #include <memory>
 #include <utility>
@@ -15,7 +15,7 @@ class StiffnessFactor {
   /// Throws NotConverged where the factorisation fails.
   explicit StiffnessFactor(const Matrix& k);
   /// The same with what is known of K, its factor among it where it has one.
-  StiffnessFactor(const Matrix& k, const Definiteness& known);
+  StiffnessFactor(const Matrix& k, const StiffnessInertia& known);
 
   /// diag(d) F.
   Matrix scaled_rows(const Vector& d) const;

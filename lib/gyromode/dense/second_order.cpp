@@ -1,10 +1,10 @@
 #include "gyromode/dense/second_order.h"
 
-#include "gyromode/dense/definite.h"
-#include "gyromode/dense/indefinite.h"
+#include "gyromode/dense/general/definite.h"
+#include "gyromode/dense/general/indefinite.h"
 #include "gyromode/dense/mass_normal.h"
 #include "gyromode/dense/singular_stiffness.h"
-#include "gyromode/structure/definiteness.h"
+#include "gyromode/structure/inertia_of_k.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace gyromode::dense {
 
 namespace {
 
-void solve_regular(const SecondOrder& m, const Definiteness& d, Spectrum& s) {
+void solve_regular(const SecondOrder& m, const StiffnessInertia& d, Spectrum& s) {
   const MassNormal normal(m.mass);
   const Matrix gamma = normal.gyroscopic(m.gyroscopic);
   if (d.negative == 0) {
@@ -20,7 +20,7 @@ void solve_regular(const SecondOrder& m, const Definiteness& d, Spectrum& s) {
     s.omega = std::move(modes.omega);
     s.re = std::move(modes.re);
     s.im = std::move(modes.im);
-    s.path = "general, K > 0: singular values of a real bidiagonal n × n matrix from the skew tridiagonal form of order 2n";
+    s.solver = "general, K > 0: singular values of a real bidiagonal n × n matrix from the skew tridiagonal form of order 2n";
   } else {
     IndefiniteModes modes = indefinite_modes({gamma, normal.stiffness(m.stiffness)}, Matrix(m.size(), 0));
     s.re = modes.shapes.real();
@@ -28,7 +28,7 @@ void solve_regular(const SecondOrder& m, const Definiteness& d, Spectrum& s) {
     s.omega = std::move(modes.omega);
     s.unstable = std::move(modes.unstable);
     normal.to_physical(s.unstable);
-    s.path = fmt::format("general, K indefinite ({} negative): eigenvalues of order 2n with the Hamiltonian pairing kept", d.negative);
+    s.solver = fmt::format("general, K indefinite ({} negative): eigenvalues of order 2n with the Hamiltonian pairing kept", d.negative);
   }
   normal.to_physical(s.re);
   normal.to_physical(s.im);
@@ -37,7 +37,7 @@ void solve_regular(const SecondOrder& m, const Definiteness& d, Spectrum& s) {
 }  // namespace
 
 void solve_second_order(const SecondOrder& m, Spectrum& s) {
-  const Definiteness d = definiteness(m.stiffness);
+  const StiffnessInertia d = inertia_of_k(m.stiffness);
   s.store_stiffness(d);
   if (d.zero == 0) return solve_regular(m, d, s);
   solve_singular_stiffness({m.mass, m.gyroscopic, m.stiffness, -1}, d.null_space, s);

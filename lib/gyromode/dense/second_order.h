@@ -32,7 +32,7 @@ void solve_second_order(const SecondOrder& m, Spectrum& s);
 void solve_second_order(const SecondOrderQuadrature& m, Spectrum& s);
 
 /// The same with the inertia and null spaces of K₁, K₂ known.
-void solve_second_order(const SecondOrderQuadrature& m, const Definiteness& d1, const Definiteness& d2, Spectrum& s);
+void solve_second_order(const SecondOrderQuadrature& m, const StiffnessInertia& d1, const StiffnessInertia& d2, Spectrum& s);
 /// The matrices m (n × n) by the partition that a reversing symmetry gives; shapes in the coordinates of m, s.split −1. The inertia of K and its null space are those of m; false, with
 /// `s` as it was, where they are not met in the coordinates of the symmetry.
 bool solve_second_order(const SecondOrder& m, const ReversingSymmetry& symmetry, Spectrum& s);

@@ -1,9 +1,9 @@
 #include "gyromode/dense/singular_stiffness.h"
 
-#include "gyromode/dense/definite.h"
-#include "gyromode/dense/indefinite.h"
+#include "gyromode/dense/general/definite.h"
+#include "gyromode/dense/general/indefinite.h"
 #include "gyromode/dense/mass_normal.h"
-#include "gyromode/dense/quadrature.h"
+#include "gyromode/dense/quadrature/quadrature.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/triangular.h"
 
@@ -52,7 +52,7 @@ ComplexMatrix solve_reduced_quadrature(const Deflation& d, Spectrum& s) {
   ComplexMatrix shapes(m.size(), modes.omega.size());
   shapes.topRows(p) = modes.x.cast<Complex>();
   shapes.bottomRows(r) = Complex(0, -1) * modes.y.cast<Complex>();
-  s.path = "quadrature: " + modes.path;
+  s.solver = "quadrature: " + modes.solver;
   s.omega = std::move(modes.omega);
   s.unstable = std::move(modes.unstable);
   return shapes;
@@ -72,14 +72,14 @@ ComplexMatrix solve_reduced_general(const Deflation& d, Spectrum& s) {
     shapes.resize(d.reduced.size(), s.omega.size());
     shapes.real() = modes.re;
     shapes.imag() = modes.im;
-    s.path = "general, K ≥ 0: singular values of a real bidiagonal matrix from a skew tridiagonal form";
+    s.solver = "general, K ≥ 0: singular values of a real bidiagonal matrix from a skew tridiagonal form";
   } else {
     IndefiniteModes modes = indefinite_modes({gamma, k}, null);
     shapes = std::move(modes.shapes);
     s.omega = std::move(modes.omega);
     s.unstable = std::move(modes.unstable);
     normal.to_physical(s.unstable);
-    s.path = "general, K indefinite: eigenvalues of order 2n with the Hamiltonian pairing kept";
+    s.solver = "general, K indefinite: eigenvalues of order 2n with the Hamiltonian pairing kept";
   }
   normal.to_physical(shapes);
   return shapes;
@@ -117,8 +117,8 @@ void solve_singular_stiffness(SingularSystem system, const Matrix& null_space, S
     s.re = z.topRows(split).real();
     s.im = z.bottomRows(z.rows() - split).imag();
   }
-  s.path += fmt::format("; {} zero mode{} taken out first", d.zero_pairs, d.zero_pairs == 1 ? "" : "s");
-  if (s.omega.size() == 0 && d.reduced.size() == 0) s.path = "every coordinate is ignorable: zero modes only";
+  s.solver += fmt::format("; {} zero mode{} taken out first", d.zero_pairs, d.zero_pairs == 1 ? "" : "s");
+  if (s.omega.size() == 0 && d.reduced.size() == 0) s.solver = "every coordinate is ignorable: zero modes only";
 }
 
 }  // namespace gyromode::dense

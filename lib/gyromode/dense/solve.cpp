@@ -1,7 +1,7 @@
 #include "gyromode/dense/solve.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/dense/classical.h"
+#include "gyromode/dense/classical/classical.h"
 #include "gyromode/dense/second_order.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ bool hidden_applies(const Component& component, Method method) {
 void require_reversing_symmetry(const Component& component, const Labels& labels) {
   if (component.quadrature() || component.hidden_quadrature()) return;
   const std::string first = labels[static_cast<std::size_t>(component.coordinates.front())];
-  const std::string why = component.search ? fmt::format("the nearest reflection breaks the commutation rules by {:.2g} of ‖K‖ and ‖G‖, where rounding explains {:.2g}", component.search->breach,
+  const std::string why = component.search ? fmt::format("the nearest reflection breaks the commutation rules by {:.2g} of ‖K‖ and ‖G‖, where rounding explains {:.2g}", component.search->departure,
                                                          component.search->threshold)
                                            : "none was looked for";
   throw NotApplicable(fmt::format("method 'hidden' needs a reversing symmetry, which the component of coordinate '{}' does not have: {}; 'auto' or 'general' apply", first, why));
@@ -63,8 +63,8 @@ void fill(const Impedance& h, const Component& component, Method method, Spectru
   const SecondOrder matrices{h.mass_rr(), h.gyroscopic_ri(), h.stiffness_rr()};
   if (hidden_applies(component, method) && solve_second_order(matrices, component.search->found->in_units(h.units()), s)) return;
   switch (method) {
-    case Method::first_order: solve_companion(matrices, s); break;
-    case Method::symmetric_2n: solve_symmetric_2n(matrices, s); break;
+    case Method::companion: solve_companion(matrices, s); break;
+    case Method::meirovitch: solve_symmetric_2n(matrices, s); break;
     default: solve_second_order(matrices, s); break;
   }
 }
@@ -89,7 +89,7 @@ Impedance impedance_of(const System& system, const Component& component, Method 
 Impedance impedance_of(const FirstOrderSystem& system, const Component& component, Method method) {
   if (method == Method::quadrature) require_partition(component, system.labels());
   if (method == Method::hidden) throw NotApplicable("method 'hidden' serves second-order models: every first-order model has a reversing symmetry, and 'general' makes use of it");
-  if (method == Method::first_order || method == Method::symmetric_2n) {
+  if (method == Method::companion || method == Method::meirovitch) {
     throw NotApplicable("the classical 2n methods start from M, G, K; a first-order model is solved as it stands: use 'auto', 'quadrature' or 'general'");
   }
   const bool with_partition = component.quadrature() && method != Method::general;

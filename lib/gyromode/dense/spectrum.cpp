@@ -27,7 +27,7 @@ UnstableRoots UnstableRoots::chosen(const std::vector<Index>& kept) const {
   return part;
 }
 
-void Spectrum::store_stiffness(const Definiteness& d) {
+void Spectrum::store_stiffness(const StiffnessInertia& d) {
   stiffness_negative = reduced_negative = impedance_negative = d.negative;
   stiffness_zero = d.zero;
   stiffness_margin = d.margin;

@@ -3,7 +3,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/dense/unstable_roots.h"
 #include "gyromode/base/types.h"
-#include "gyromode/structure/definiteness.h"
+#include "gyromode/structure/inertia_of_k.h"
 #include "gyromode/system/units.h"
 
 #include <string>
@@ -12,7 +12,7 @@
 namespace gyromode::dense {
 
 /// Which solver to use. `automatic` takes the best for the class; the others are refused (NotApplicable) where they do not apply.
-enum class Method { automatic, quadrature, hidden, general, first_order, symmetric_2n };
+enum class Method { automatic, quadrature, hidden, general, companion, meirovitch };
 
 /// All roots of one connected component of M q̈ + G q̇ + K q = 0 (or I q̇ + G q = 0), as a solver leaves them: not yet certified.
 struct Spectrum {
@@ -34,7 +34,7 @@ struct Spectrum {
   Index reduced_negative = 0;    ///< n₋(K) without ignorable coordinates: k_r + 2k_c + 2k₋ (theory (T12))
   Index impedance_negative = 0;  ///< n₋(H(0⁺)) (theory (T10))
 
-  std::string path;  ///< which solver, and why
+  std::string solver;  ///< which solver, and why
 
   Index size() const { return static_cast<Index>(order.size()); }
   Index zero_pairs() const { return zero_shapes.cols(); }
@@ -44,7 +44,7 @@ struct Spectrum {
   /// The same roots and shapes, found in the units `from`, in the units given.
   void to_given_units(const Units& from);
   /// The counts of a regular K; a singular one corrects the reduced ones later.
-  void store_stiffness(const Definiteness& d);
+  void store_stiffness(const StiffnessInertia& d);
   /// Column k as a complex vector of all rows, in the order above.
   ComplexVector shape(Index k) const;
 };

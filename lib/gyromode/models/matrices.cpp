@@ -3,8 +3,8 @@
 #include "gyromode/base/error.h"
 #include "gyromode/models/response_facts.h"
 #include "gyromode/modes/keep.h"
-#include "gyromode/modes/stability_margin.h"
-#include "gyromode/structure/definiteness.h"
+#include "gyromode/stability/stability_margin.h"
+#include "gyromode/structure/inertia_of_k.h"
 
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@ dense::Method method_named(const std::string& name) {
   if (name == "quadrature") return dense::Method::quadrature;
   if (name == "hidden") return dense::Method::hidden;
   if (name == "general") return dense::Method::general;
-  if (name == "first-order") return dense::Method::first_order;
-  if (name == "symmetric-2n") return dense::Method::symmetric_2n;
+  if (name == "first-order") return dense::Method::companion;
+  if (name == "symmetric-2n") return dense::Method::meirovitch;
   throw NotApplicable(fmt::format("method '{}' serves spacecraft models with continuum booms, and this is a matrix model; 'auto', 'quadrature', 'hidden', 'general', 'first-order' or 'symmetric-2n' apply", name));
 }
 
@@ -58,11 +58,10 @@ StabilityReport MatricesModel::stability() const {
 StructureReport MatricesModel::structure(std::optional<double> at) const {
   StructureReport r;
   r.structure = analyse(system_, HiddenSearch::always);
-  const Definiteness d = definiteness(system_.stiffness());
-  r.stiffness = {d.sign(), d.negative, d.zero};
+  r.stiffness = inertia_of_k(system_.stiffness());
   for (const Component& c : r.structure.components) {
     if (!c.search) continue;
-    SymmetryFinding f{c.coordinates, c.search->breach, c.search->threshold, c.search->amplification, std::nullopt};
+    SymmetryFinding f{c.coordinates, c.search->departure, c.search->threshold, c.search->amplification, std::nullopt};
     if (c.search->found) f.reflection = c.search->found->reflection(system_.mass()(c.coordinates, c.coordinates));
     r.symmetries.push_back(std::move(f));
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/base/labels.h"
-#include "gyromode/discrete/boom_point.h"
+#include "gyromode/elements/boom_point.h"
 #include "gyromode/models/reports.h"
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/modes.h"

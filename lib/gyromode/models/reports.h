@@ -3,10 +3,10 @@
 #include "gyromode/modes/effective_axes.h"
 #include "gyromode/motion/frequency_response.h"
 #include "gyromode/motion/response.h"
-#include "gyromode/spacecraft/held_booms.h"
+#include "gyromode/spacecraft/clamped_booms.h"
 #include "gyromode/spectrum/result.h"
 #include "gyromode/structure/realify.h"
-#include "gyromode/sweep/stability_map.h"
+#include "gyromode/stability/stability_map.h"
 
 #include <array>
 #include <optional>
@@ -26,7 +26,7 @@ struct RealifiedAt {
 /// Of a component in which a reversing symmetry was looked for: what was found, or how far the nearest is from being one.
 struct SymmetryFinding {
   std::vector<Index> coordinates;
-  double breach = 0, threshold = 0, amplification = 0;  ///< SymmetrySearch
+  double departure = 0, threshold = 0, amplification = 0;  ///< SymmetrySearch
   std::optional<Matrix> reflection;                     ///< R, on these coordinates, where one was found
 };
 
@@ -39,12 +39,12 @@ struct ModelCheck {
 /// What `structure` reports.
 struct StructureReport {
   Structure structure;
-  Stiffness stiffness;
+  InertiaOfK stiffness;
   bool stiffness_applies = true;              ///< false for first-order models
   std::vector<SymmetryFinding> symmetries;
   std::vector<ModelCheck> checks;
   std::optional<RealifiedAt> at;
-  std::vector<HeldBoom> held_booms;           ///< of a spacecraft: the poles of its booms
+  std::vector<ClampedBoom> clamped_booms;           ///< of a spacecraft: the poles of its booms
   std::vector<EffectiveAxes> effective_axes;  ///< of spacecraft that axes 1 and 2 do not part into in phase and in quadrature
 };
 

@@ -1,7 +1,7 @@
 #include "gyromode/models/spacecraft_model.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/discrete/discretise.h"
+#include "gyromode/elements/discretise.h"
 #include "gyromode/models/matrices.h"
 #include "gyromode/models/response_facts.h"
 #include "gyromode/modes/discrete.h"
@@ -54,7 +54,7 @@ StructureReport SpacecraftModel::structure(std::optional<double> at) const {
   StructureReport r;
   r.structure = facts.structure;
   r.stiffness = facts.stiffness;
-  r.held_booms = held_booms(spacecraft_, lowest_of_a_boom);
+  r.clamped_booms = clamped_booms(spacecraft_, lowest_of_a_boom);
   r.effective_axes = effective_axes(solved, lowest_modes);
   r.checks = {{"mass", spacecraft_.rigid().mass}, {"centre_height", spacecraft_.centre()}, {"inertia", Matrix(spacecraft_.rigid().inertia())}};
   if (at) r.at = {*at, realify(impedance_at(spacecraft_, *at), r.structure)};

@@ -2,7 +2,7 @@
 
 #include "gyromode/base/rounding.h"
 #include "gyromode/certificate/polish.h"
-#include "gyromode/dense/own_scale.h"
+#include "gyromode/dense/refinement/own_scale.h"
 
 #include <fmt/format.h>
 
@@ -74,7 +74,7 @@ SolvedComponent best_component(const AnySystem& system, const Component& compone
   if (convincing(best) || (best.spectrum.stiffness_negative == 0 && component.quadrature()) || !by_partition) return best;
   SolvedComponent again = solved_component(system, component, dense::Method::general);
   if (!better(again, best)) return best;
-  again.spectrum.path += " (quadrature solver did not convince)";
+  again.spectrum.solver += " (quadrature solver did not convince)";
   return again;
 }
 
@@ -153,25 +153,24 @@ std::string SolvedSystem::open_reason() const {
   return "";
 }
 
-Stiffness SolvedSystem::stiffness() const {
-  Stiffness k;
+InertiaOfK SolvedSystem::stiffness() const {
+  InertiaOfK k;
   for (const SolvedComponent& c : components) {
     k.negative += c.spectrum.stiffness_negative;
     k.zero += c.spectrum.stiffness_zero;
   }
-  k.sign = k.negative > 0 ? Sign::indefinite : k.zero > 0 ? Sign::semidefinite : Sign::positive;
   return k;
 }
 
-std::string SolvedSystem::path() const {
+std::string SolvedSystem::solver() const {
   // Components of one path are named together: "… (3 components of up to 4 coordinates)".
   std::vector<std::string> order;
   std::vector<std::pair<Index, Index>> tally;  // how many, the largest
   for (const SolvedComponent& c : components) {
-    const auto at = std::find(order.begin(), order.end(), c.spectrum.path);
+    const auto at = std::find(order.begin(), order.end(), c.spectrum.solver);
     const std::size_t k = static_cast<std::size_t>(at - order.begin());
     if (at == order.end()) {
-      order.push_back(c.spectrum.path);
+      order.push_back(c.spectrum.solver);
       tally.emplace_back(0, 0);
     }
     ++tally[k].first;
@@ -187,10 +186,10 @@ std::string SolvedSystem::path() const {
   return line;
 }
 
-Inertia SolvedSystem::negative_at(double omega) const {
+Inertia SolvedSystem::inertia_at(double omega) const {
   Inertia sum;
   for (const SolvedComponent& c : components) {
-    const Inertia part = c.impedance.negative_at(omega * c.impedance.units().time);
+    const Inertia part = c.impedance.inertia_at(omega * c.impedance.units().time);
     sum.negative += part.negative;
     sum.positive += part.positive;
     sum.margin = std::min(sum.margin, part.doubtful() ? 0 : part.margin);

@@ -28,11 +28,11 @@ struct SolvedSystem {
   Stability stability() const;
   IndexBalance index_balance() const;
   std::string open_reason() const;  ///< why the balance of the first component that is not closed is open; empty where all are
-  Stiffness stiffness() const;
-  std::string path() const;
+  InertiaOfK stiffness() const;
+  std::string solver() const;
 
   /// n₋(H(ω)) of the whole, ω > 0; doubtful where that of a component is.
-  Inertia negative_at(double omega) const;
+  Inertia inertia_at(double omega) const;
   /// n₋(H(0⁺)) (theory (T10)).
   Index negative_at_zero() const;
 };

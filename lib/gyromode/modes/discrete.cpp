@@ -1,6 +1,6 @@
 #include "gyromode/modes/discrete.h"
 
-#include "gyromode/discrete/spin_phase.h"
+#include "gyromode/elements/spin_phase.h"
 #include "gyromode/modes/shape.h"
 
 #include <fmt/format.h>
@@ -39,7 +39,6 @@ ModesResult find_modes(const Spacecraft& spacecraft, const Mesh& mesh, const Mod
   r.structure = analyse(whole);
   r.index_balance.zero += 2;
   r.stiffness.zero += 2;
-  if (r.stiffness.sign == Sign::positive) r.stiffness.sign = Sign::semidefinite;
   if (r.coverage.window.a == 0) {
     Mode axial;  // no coordinate of the twin moves in it
     axial.kind = ModeKind::rigid_body;
@@ -51,7 +50,7 @@ ModesResult find_modes(const Spacecraft& spacecraft, const Mesh& mesh, const Mod
     r.coverage.found += 2;
     if (r.coverage.counted) *r.coverage.counted += 2;
   }
-  r.path = fmt::format("finite elements ({} a cable, degree {}), spin phase apart: ", mesh.elements, mesh.degree) + r.path;
+  r.solver = fmt::format("finite elements ({} a cable, degree {}), spin phase apart: ", mesh.elements, mesh.degree) + r.solver;
   return r;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/discrete/discretise.h"
+#include "gyromode/elements/discretise.h"
 #include "gyromode/modes/modes.h"
 
 namespace gyromode {

@@ -90,7 +90,7 @@ ModesResult find_modes_keeping(const System& system, const std::vector<Index>& k
   if (!options.shapes) {
     for (Mode& m : r.modes) m.shape.resize(0);
   }
-  r.path += fmt::format("; seen from {} of {} coordinates, {} of these modes local", kept.size(), system.size(), local);
+  r.solver += fmt::format("; seen from {} of {} coordinates, {} of these modes local", kept.size(), system.size(), local);
   return r;
 }
 

@@ -123,7 +123,7 @@ UnstableMode MatrixSpectrum::growing(const SolvedComponent& c, Index k, bool wit
 void MatrixSpectrum::describe(ModesResult& r, bool with_shapes) const {
   r.structure = solved_.structure;
   r.stiffness = solved_.stiffness();
-  r.path = solved_.path();
+  r.solver = solved_.solver();
   r.first_order = solved_.first_order;
   r.stability = solved_.stability();
   r.opposite_gap = infinity;

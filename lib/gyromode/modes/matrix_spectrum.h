@@ -18,7 +18,7 @@ class MatrixSpectrum : public CountedSpectrum {
   Index below(double omega) const override;
   Index missed_by_signs(const Window& range) const override;
   Index zero_roots() const override { return solved_.index_balance().zero; }
-  Inertia inertia_at(double omega) const override { return solved_.negative_at(omega); }
+  Inertia inertia_at(double omega) const override { return solved_.inertia_at(omega); }
   Index negative_at_zero() const override { return at_zero_; }
   int direction() const override { return solved_.first_order ? -1 : 1; }
   IndexBalance balance() const override { return solved_.index_balance(); }

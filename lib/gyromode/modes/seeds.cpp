@@ -1,8 +1,8 @@
 #include "gyromode/modes/seeds.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/discrete/discretise.h"
-#include "gyromode/discrete/spin_phase.h"
+#include "gyromode/elements/discretise.h"
+#include "gyromode/elements/spin_phase.h"
 #include "gyromode/modes/modes.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/impedance/certified_roots.h"
+#include "gyromode/roots/certified_roots.h"
 #include "gyromode/spacecraft/spacecraft.h"
 
 namespace gyromode {

@@ -120,7 +120,7 @@ IndexBalance SpacecraftSpectrum::balance() const {
   b.negative = roots_.at_zero().negative;
   Index reduced = 0;
   for (std::size_t k = 0; k < roots_.at_zero().reduced.size(); ++k) reduced += roots_.at_zero().reduced[k] * roots_.blocked().blocks[k].copies();
-  for (const GrowingRoot& g : roots_.growing()) (g.omega > 0 ? b.quadruples : b.real_pairs) += g.copies;
+  for (const UnstableRoot& g : roots_.growing()) (g.omega > 0 ? b.quadruples : b.real_pairs) += g.copies;
   b.negative_energy = static_cast<Index>(roots_.negative_energy().size());
   b.zero = zero_roots();
   b.zero_negative = b.negative - reduced;
@@ -147,7 +147,7 @@ double SpacecraftSpectrum::gap_of_opposite_signs() const {
   return gap;
 }
 
-std::string SpacecraftSpectrum::path() const {
+std::string SpacecraftSpectrum::solver() const {
   Index real = 0, local = 0;
   const auto& blocks = roots_.blocked().blocks;
   for (const Block& b : blocks) {
@@ -177,13 +177,13 @@ void SpacecraftSpectrum::describe(ModesResult& r, bool with_shapes) const {
   const IndexBalance b = balance();
   r.transcendental = true;
   r.structure = structure_of(roots_.blocked());
-  r.path = path();
+  r.solver = solver();
   r.stability = stability();
-  r.stiffness = {b.negative > 0 ? Sign::indefinite : Sign::semidefinite, b.negative, b.zero};
+  r.stiffness = {b.negative, b.zero};
   r.opposite_gap = opposite_gap_;
   if (with_shapes) r.outlines = outlines_of(*this);
   for (const Root& root : roots_.negative_energy()) r.negative_modes.push_back(mode_of(*this, root, false));
-  for (const GrowingRoot& g : roots_.growing()) {
+  for (const UnstableRoot& g : roots_.growing()) {
     for (Index k = 0; k < g.copies; ++k) r.unstable.push_back({g.growth * unit(), g.omega * unit(), g.residual, g.error * unit(), {}});
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/impedance/certified_roots.h"
+#include "gyromode/roots/certified_roots.h"
 #include "gyromode/spacecraft/spacecraft_impedance.h"
 #include "gyromode/spectrum/counted_spectrum.h"
 
@@ -42,7 +42,7 @@ class SpacecraftSpectrum : public CountedSpectrum {
   std::vector<Root> with_tilt(const Window& range) const;
   double gap_of_opposite_signs() const;
   Stability stability() const;
-  std::string path() const;
+  std::string solver() const;
 
   Spacecraft spacecraft_;
   SpacecraftImpedance impedance_;

@@ -64,7 +64,7 @@ Split ComponentMotion::split(const State& w) {
     s.rest = rest_->coordinates(left);
     const State own = rest_->state(s.rest);
     left = minus(left, own);
-    turned = rest_->breach() * norm_(own);
+    turned = rest_->departure() * norm_(own);
   }
   // What cancels in the sum at t = 0 does not cancel later: its rounding counts as missing.
   s.missing = std::max({norm_(left), turned, epsilon * largest});

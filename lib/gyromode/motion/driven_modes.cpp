@@ -88,7 +88,7 @@ struct DrivenComponent {
 
 }  // namespace
 
-std::string_view word(Driven d) {
+std::string_view to_string(Driven d) {
   switch (d) {
     case Driven::no: return "no";
     case Driven::undecided: return "undecided";

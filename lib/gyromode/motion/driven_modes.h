@@ -10,7 +10,7 @@ namespace gyromode {
 /// Whether a force e^{jωt} drives a mode: `no` where the structure says so, the force and the mode having no coordinate in common; `undecided` where the force meets it by less than the error of
 /// its shape, so that rounding of the matrices decides.
 enum class Driven { no, undecided, yes };
-std::string_view word(Driven d);
+std::string_view to_string(Driven d);
 
 /// A mode as a steady force meets it.
 struct DrivenMode {

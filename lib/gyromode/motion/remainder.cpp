@@ -41,8 +41,8 @@ Remainder::Remainder(const ComponentMatrices& m, const EnergyNorm& norm, const M
     const Matrix a = image(m);
     generator_ = basis_.transpose() * a;
     const Correction c = correction(m, modal, a - basis_ * generator_);
-    if (step > 0 && !(c.size < 0.5 * breach_)) break;
-    breach_ = c.size;
+    if (step > 0 && !(c.size < 0.5 * departure_)) break;
+    departure_ = c.size;
     basis_ = small::orthonormal_columns(Matrix(basis_ - c.basis));
   }
   generator_ = basis_.transpose() * image(m);
@@ -61,15 +61,15 @@ Matrix Remainder::image(const ComponentMatrices& m) const {
 
 // A·basis − basis·B has parts r_s in the modes. The basis less Σ 2 Re w_s z_s, z_s(jω_s − B) = r_s, has none: with B = UTUᴴ, T triangular, z_s = (r_sU)(jω_s − T)⁻¹Uᴴ.
 // What r leaves is in no mode, and counts relative to B.
-Remainder::Correction Remainder::correction(const ComponentMatrices& m, const ModalPart& modal, Matrix breach) const {
+Remainder::Correction Remainder::correction(const ComponentMatrices& m, const ModalPart& modal, Matrix departure) const {
   const Index d = size();
   const double rate = generator_.norm();
   ComplexMatrix r(modal.size(), d);
   for (Index k = 0; k < d; ++k) {
-    r.col(k) = modal.amplitudes(m, norm_->state(breach.col(k)));
-    breach.col(k) -= norm_->coordinates(modal.state(r.col(k)));
+    r.col(k) = modal.amplitudes(m, norm_->state(departure.col(k)));
+    departure.col(k) -= norm_->coordinates(modal.state(r.col(k)));
   }
-  const double rest = breach.norm() / (rate > 0 ? rate : 1);
+  const double rest = departure.norm() / (rate > 0 ? rate : 1);
   const small::Schur schur = small::schur(generator_.cast<Complex>());
   ComplexMatrix z = r * schur.u;
   for (Index s = 0; s < modal.size(); ++s) {

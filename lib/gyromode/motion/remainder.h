@@ -24,7 +24,7 @@ class Remainder {
 
   /// How far from invariant the basis is: the size, beside its own length 1, of the correction that would take the parts of A·basis − basis·generator in the modes away, A the matrix of the motion;
   /// what is in no mode, relative to the generator.
-  double breach() const { return breach_; }
+  double departure() const { return departure_; }
   /// What rounding may have made of the rates of the generator, in 1 over the unit of time.
   double rate_error() const { return rate_error_; }
 
@@ -34,7 +34,7 @@ class Remainder {
     double size;
   };
   Matrix image(const ComponentMatrices& m) const;  // A·basis
-  Correction correction(const ComponentMatrices& m, const ModalPart& modal, Matrix breach) const;
+  Correction correction(const ComponentMatrices& m, const ModalPart& modal, Matrix departure) const;
   void take_rounding(const ComponentMatrices& m);
   Matrix exponential(double t) const;
   void recognise_double_root();
@@ -42,7 +42,7 @@ class Remainder {
   const EnergyNorm* norm_;  // of which x are coordinates
   Matrix basis_;      // 2n × d, orthonormal, of x
   Matrix generator_;  // d × d: ẏ = generator y, per unit of time
-  double breach_ = 0, rate_error_ = 0;
+  double departure_ = 0, rate_error_ = 0;
   double double_root_ = 0;  // ω of a double pair ±jω, 0 where the generator is none
   Matrix semisimple_, nilpotent_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/discrete/boom_point.h"
+#include "gyromode/elements/boom_point.h"
 #include "gyromode/motion/response.h"
 
 #include <algorithm>

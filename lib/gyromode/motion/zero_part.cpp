@@ -4,7 +4,7 @@
 #include "gyromode/lapack/singular.h"
 #include "gyromode/lapack/small.h"
 #include "gyromode/motion/time_course.h"
-#include "gyromode/structure/definiteness.h"
+#include "gyromode/structure/inertia_of_k.h"
 #include "gyromode/system/scale.h"
 
 namespace gyromode {
@@ -45,7 +45,7 @@ ZeroPart::ZeroPart(const ComponentMatrices& m, Index pairs) {
   drifts_ = velocities_ = Matrix(n, 0);
   dual_q_ = dual_v_ = Matrix(0, n);
   if (pairs == 0) return;
-  const Matrix null = definiteness(m.stiffness).null_space;
+  const Matrix null = inertia_of_k(m.stiffness).null_space;
   const Matrix coupling = null.transpose() * m.gyroscopic * null;
   const Matrix combination = uncoupled(coupling, m.gyroscopic.norm());
   const Matrix velocities = null * combination;

@@ -11,9 +11,9 @@ namespace gyromode {
 namespace {
 
 template <class Part>
-void require_lawful(const std::vector<Part>& parts, const char* name) {
+void require_laws(const std::vector<Part>& parts, const char* name) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (const auto b = breach_of(parts[i])) throw LawBroken(fmt::format("{} {}: {}", name, i + 1, b->law));
+    if (const auto b = broken_law(parts[i])) throw LawBroken(fmt::format("{} {}: {}", name, i + 1, b->law));
   }
 }
 
@@ -46,10 +46,10 @@ Spacecraft::Spacecraft(double spin, Body body, std::vector<Cable> cables, std::v
     throw LawBroken(fmt::format("spin must be above 0: it is {:.6g} rad/s{}", spin_,
                                     spin_ < 0 ? " (for the other sense of rotation turn axis 3 around)" : cables_.empty() ? "" : ", and without it no cable is taut"));
   }
-  if (const auto b = breach_of(body_)) throw LawBroken(fmt::format("body: {}", b->law));
-  require_lawful(cables_, "cable");
-  require_lawful(beams_, "beam");
-  require_lawful(masses_, "spring mass");
+  if (const auto b = broken_law(body_)) throw LawBroken(fmt::format("body: {}", b->law));
+  require_laws(cables_, "cable");
+  require_laws(beams_, "beam");
+  require_laws(masses_, "spring mass");
   body_.inertia = (0.5 * (body_.inertia + body_.inertia.transpose())).eval();
   rigid_ = MassProperties::body(body_.mass, body_.inertia);
   require_numbers(rigid_, spin_, "body");

@@ -18,13 +18,13 @@ struct Body {
 };
 
 /// A law that one part of a model breaks: at which key, and the law with the value.
-struct Breach {
+struct BrokenLaw {
   std::string key, law;
 };
-std::optional<Breach> breach_of(const Body& body);
-std::optional<Breach> breach_of(const Cable& cable);
-std::optional<Breach> breach_of(const Beam& beam);
-std::optional<Breach> breach_of(const SpringMass& mass);
+std::optional<BrokenLaw> broken_law(const Body& body);
+std::optional<BrokenLaw> broken_law(const Cable& cable);
+std::optional<BrokenLaw> broken_law(const Beam& beam);
+std::optional<BrokenLaw> broken_law(const SpringMass& mass);
 
 /// A rigid body with booms and sprung masses that spins steadily about its axis 3. One that exists is in equilibrium: its parts are lawful, its mass centre is on axis 3 and the products of
 /// inertia J13, J23 of the complete satellite vanish (docs/booms.md (B12)), within `tolerance`.

@@ -104,7 +104,7 @@ double SpacecraftImpedance::tilt_scale(double omega) const { return 1 / std::sqr
 template <class T>
 void SpacecraftImpedance::add_all(const T& omega, Lifted& to) const {
   to.matrix.setZero(size_, size_);
-  to.held.assign(static_cast<std::size_t>(size_), 0);
+  to.poles_below.assign(static_cast<std::size_t>(size_), 0);
   const Eigen::Matrix3d& j = inertia_;
   const Complex gyroscopic = Complex(0, 1) * (j(0, 0) + j(1, 1) - j(2, 2)) * omega;
   const T square = omega * omega;

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "gyromode/impedance/lifted_impedance.h"
+#include "gyromode/roots/lifted_impedance.h"
 #include "gyromode/spacecraft/spacecraft.h"
 
 #include <memory>
 
 namespace gyromode {
 
-/// The exact impedance of a satellite on (ξ1, ξ2, ξ3, θ1, θ2, φ3) of its mass centre P (Turning) and the coordinates of its appendages; equal cables share their fields.
+/// The exact impedance of a satellite on (ξ1, ξ2, ξ3, θ1, θ2, φ3) of its mass centre P (SpinOperators) and the coordinates of its appendages; equal cables share their fields.
 ///
 /// Dimensionless: mass in units of the whole, time in 1/spin, length √(J33/m). θ1 and θ2 are divided by √(1 + ω²), and by what the largest inertia asks for.
 class SpacecraftImpedance : public LiftedImpedance {

@@ -2,7 +2,7 @@
 
 namespace gyromode {
 
-std::string_view word(ModeKind kind) {
+std::string_view to_string(ModeKind kind) {
   switch (kind) {
     case ModeKind::rigid_body: return "rigid_body";
     case ModeKind::local: return "local";
@@ -10,7 +10,7 @@ std::string_view word(ModeKind kind) {
   }
 }
 
-std::string_view word(CoverageStatus status) {
+std::string_view to_string(CoverageStatus status) {
   switch (status) {
     case CoverageStatus::complete: return "complete";
     case CoverageStatus::incomplete: return "incomplete";
@@ -18,7 +18,7 @@ std::string_view word(CoverageStatus status) {
   }
 }
 
-std::string_view word(CountStatus status) {
+std::string_view to_string(CountStatus status) {
   switch (status) {
     case CountStatus::exact: return "exact";
     case CountStatus::signed_only: return "signed_only";

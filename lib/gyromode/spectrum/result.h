@@ -2,6 +2,7 @@
 
 #include "gyromode/spectrum/verdict.h"
 #include "gyromode/spectrum/window.h"
+#include "gyromode/structure/inertia_of_k.h"
 #include "gyromode/structure/structure.h"
 
 #include <array>
@@ -15,7 +16,7 @@ namespace gyromode {
 /// `rigid_body`: a zero mode of K ≥ 0 (a constant solution, in first order); of a spacecraft spin phase, axial translation and tilt of the momentum axis. `local`: the kept coordinates
 /// of a condensed model, or the body of a spacecraft, take no part.
 enum class ModeKind { vibration, rigid_body, local };
-std::string_view word(ModeKind kind);
+std::string_view to_string(ModeKind kind);
 
 /// One motion Re(X e^{jωt}).
 struct Mode {
@@ -43,7 +44,7 @@ struct UnstableMode {
 };
 
 enum class CoverageStatus { complete, incomplete, not_counted };
-std::string_view word(CoverageStatus status);
+std::string_view to_string(CoverageStatus status);
 
 /// Is every mode of the window there? `complete` only where an independent count by factorisations agrees with what was found.
 struct Coverage {
@@ -56,7 +57,7 @@ struct Coverage {
 };
 
 enum class CountStatus { exact, signed_only, doubtful };
-std::string_view word(CountStatus status);
+std::string_view to_string(CountStatus status);
 
 /// How many modes a window holds, by factorisations at its ends (theory (T9), (T10)).
 struct CountResult {
@@ -69,13 +70,6 @@ struct CountResult {
   CountStatus status = CountStatus::doubtful;
 };
 
-/// What is known of K.
-struct Stiffness {
-  Sign sign = Sign::positive;
-  Index negative = 0;
-  Index zero = 0;
-};
-
 /// Points of a model in their steady places, in the axes and from the origin of the model file, for pictures.
 struct ModelOutline {
   std::string name;
@@ -85,8 +79,8 @@ struct ModelOutline {
 /// Everything `gyromode modes` reports, free of any output format.
 struct ModesResult {
   Structure structure;
-  Stiffness stiffness;
-  std::string path;                    ///< one line: which solver served each component, and why
+  InertiaOfK stiffness;
+  std::string solver;                    ///< one line: which solver served each component, and why
   bool first_order = false;
   bool transcendental = false;         ///< of a spacecraft with exact booms: infinitely many modes
   Stability stability = Stability::unknown;

@@ -2,7 +2,7 @@
 
 namespace gyromode {
 
-std::string_view word(Stability s) {
+std::string_view to_string(Stability s) {
   switch (s) {
     case Stability::stable: return "stable";
     case Stability::gyroscopically_stabilised: return "gyroscopically_stabilised";

@@ -13,7 +13,7 @@ namespace gyromode {
 ///   marginal                     the verdict changes under a backward error of n ε
 ///   unstable                     divergence or flutter
 enum class Stability { stable, gyroscopically_stabilised, unknown, marginal, unstable };
-std::string_view word(Stability s);
+std::string_view to_string(Stability s);
 
 /// n₋(K) = k_r + 2k_c + 2k₋ + n₋(F)  (theory (T12)). In `negative_energy` a pair that cannot be told apart counts one.
 struct IndexBalance {

@@ -35,7 +35,7 @@ IgnoredCouplings left_out(std::initializer_list<const Matrix*> matrices, double 
 
 // Sums of what is left may lack what made them positive.
 template <class Make>
-auto lawful(double tolerance, Make&& make) {
+auto keeping_laws(double tolerance, Make&& make) {
   try {
     return make();
   } catch (const LawBroken& e) {
@@ -48,13 +48,13 @@ auto lawful(double tolerance, Make&& make) {
 System without_ignored_couplings(const System& s, double tolerance) {
   require(tolerance);
   if (tolerance == 0) return s;
-  return lawful(tolerance, [&] { return s.replaced(thresholded(s.mass(), tolerance), thresholded(s.gyroscopic(), tolerance), thresholded(s.stiffness(), tolerance)); });
+  return keeping_laws(tolerance, [&] { return s.replaced(thresholded(s.mass(), tolerance), thresholded(s.gyroscopic(), tolerance), thresholded(s.stiffness(), tolerance)); });
 }
 
 FirstOrderSystem without_ignored_couplings(const FirstOrderSystem& s, double tolerance) {
   require(tolerance);
   if (tolerance == 0) return s;
-  return lawful(tolerance, [&] { return s.replaced(thresholded(s.inertia(), tolerance), thresholded(s.gyroscopic(), tolerance)); });
+  return keeping_laws(tolerance, [&] { return s.replaced(thresholded(s.inertia(), tolerance), thresholded(s.gyroscopic(), tolerance)); });
 }
 
 IgnoredCouplings ignored_couplings(const System& s, double tolerance) { return left_out({&s.mass(), &s.gyroscopic(), &s.stiffness()}, tolerance); }

@@ -28,7 +28,7 @@ double axis_angle(double a, double c, double d, double b, double near) {
 
 }  // namespace
 
-std::string_view word(Realification how) {
+std::string_view to_string(Realification how) {
   switch (how) {
     case Realification::partition: return "partition";
     case Realification::angle: return "angle";

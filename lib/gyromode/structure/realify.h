@@ -12,7 +12,7 @@ enum class Realification {
   angle,           ///< U = S(ψ), 2 × 2 (Eqs. 16–20)
   tridiagonal,     ///< Householder reflections and phases, any n (theory §3b)
 };
-std::string_view word(Realification how);
+std::string_view to_string(Realification how);
 
 /// A Hermitian matrix H and a unitary U with H* = UᴴHU real symmetric (Eq. 12); H* has no imaginary part at all, and ‖UᴴHU − H*‖ and ‖UᴴU − 1‖ are rounding.
 struct Realified {

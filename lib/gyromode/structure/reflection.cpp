@@ -81,8 +81,8 @@ Reflection::Reflection(const Matrix& k, const Matrix& gamma, Matrix plus_, Matri
   gamma2 = skew_part(multiply_tn(minus, multiply(gamma, minus)));
 }
 
-double Reflection::breach_k() const { return std::sqrt(2.0) * k12.norm(); }
-double Reflection::breach_gamma() const { return std::hypot(gamma1.norm(), gamma2.norm()); }
+double Reflection::departure_k() const { return std::sqrt(2.0) * k12.norm(); }
+double Reflection::departure_gamma() const { return std::hypot(gamma1.norm(), gamma2.norm()); }
 
 SignedBasis sign_of(const Matrix& x) {
   const auto e = lapack::symmetric_eigen(x);
@@ -110,7 +110,7 @@ SignedBasis commuting_with(const Matrix& k, const Reflection& r, double noise) {
 
 Reflection turned(const Matrix& k, const Matrix& gamma, Reflection r, double unit_k, double unit_gamma, double enough) {
   constexpr int turns = 8;
-  const auto size = [&](const Reflection& s) { return std::hypot(s.breach_k() / unit_k, s.breach_gamma() / unit_gamma); };
+  const auto size = [&](const Reflection& s) { return std::hypot(s.departure_k() / unit_k, s.departure_gamma() / unit_gamma); };
   for (int turn = 0; turn < turns && size(r) > enough; ++turn) {
     const Matrix theta = least_squares(Linearised(r, unit_k, unit_gamma), {-r.k12 / unit_k, -r.gamma1 / unit_gamma, -r.gamma2 / unit_gamma}, enough);
     Reflection next(k, gamma, lapack::orthonormal_columns(r.plus - multiply_nt(r.minus, theta)), lapack::orthonormal_columns(r.minus + multiply(r.plus, theta)));

@@ -12,8 +12,8 @@ struct Reflection {
   Matrix k12, gamma1, gamma2;
 
   Reflection(const Matrix& k, const Matrix& gamma, Matrix plus, Matrix minus);
-  double breach_k() const;        ///< ‖kR − Rk‖_F / 2 = √2 ‖k₁₂‖_F
-  double breach_gamma() const;    ///< ‖ΓR + RΓ‖_F / 2
+  double departure_k() const;        ///< ‖kR − Rk‖_F / 2 = √2 ‖k₁₂‖_F
+  double departure_gamma() const;    ///< ‖ΓR + RΓ‖_F / 2
 };
 
 /// sign(X) of a symmetric X, and how clear the signs are: smallest over largest |eigenvalue|.
@@ -27,7 +27,7 @@ SignedBasis sign_of(const Matrix& x);
 /// to rounding it fixes exactly, however small its differences are beside ‖k‖; what is left to Γ is little to turn.
 SignedBasis commuting_with(const Matrix& k, const Reflection& r, double noise);
 
-/// R turned to make breach_k²/unit_k² + breach_gamma²/unit_gamma² least: V₊ − V₋θᵀ, V₋ + V₊θ with θ from the linearised conditions
+/// R turned to make departure_k²/unit_k² + departure_gamma²/unit_gamma² least: V₊ − V₋θᵀ, V₋ + V₊θ with θ from the linearised conditions
 ///     k₁₂ + k₁θ − θk₂ = 0,   Γ₁ + θbᵀ − bθᵀ = 0,   Γ₂ − bᵀθ + θᵀb = 0
 /// in the sense of least squares, by conjugate gradients; a few turns at most, only such as help, and none once the root of that sum is `enough`.
 Reflection turned(const Matrix& k, const Matrix& gamma, Reflection r, double unit_k, double unit_gamma, double enough);

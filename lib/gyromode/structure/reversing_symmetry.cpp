@@ -78,7 +78,7 @@ class Search {
   const Reflection& best() const { return *best_; }
   bool found() const { return worst(*best_) <= 1; }
   /// Breaches that are small parts of ‖k‖ and ‖Γ‖.
-  bool near_miss() const { return best_->breach_k() <= near * s_.norm_k && best_->breach_gamma() <= near * s_.norm_gamma; }
+  bool near_miss() const { return best_->departure_k() <= near * s_.norm_k && best_->departure_gamma() <= near * s_.norm_gamma; }
 
   void consider(SignedBasis v) { take(Reflection(s_.k, s_.gamma, std::move(v.plus), std::move(v.minus))); }
   /// By small angles, where they can do something: from where it stands, and from where it commutes with k.
@@ -107,9 +107,9 @@ class Search {
   }
 
   SymmetrySearch result() const {
-    const bool by_k = ratio(best_->breach_k(), limit_k_) > ratio(best_->breach_gamma(), limit_gamma_);
+    const bool by_k = ratio(best_->departure_k(), limit_k_) > ratio(best_->departure_gamma(), limit_gamma_);
     SymmetrySearch r;
-    r.breach = by_k ? ratio(best_->breach_k(), s_.norm_k) : ratio(best_->breach_gamma(), s_.norm_gamma);
+    r.departure = by_k ? ratio(best_->departure_k(), s_.norm_k) : ratio(best_->departure_gamma(), s_.norm_gamma);
     r.threshold = by_k ? ratio(limit_k_, s_.norm_k) : ratio(limit_gamma_, s_.norm_gamma);
     r.amplification = r.threshold / (safety * n_ * epsilon);
     return r;
@@ -119,7 +119,7 @@ class Search {
   static constexpr double safety = allowance, near = 0.1;
 
   double unit(double norm) const { return norm > 0 ? norm / std::sqrt(n_) : 1; }
-  double worst(const Reflection& r) const { return std::max(ratio(r.breach_k(), limit_k_), ratio(r.breach_gamma(), limit_gamma_)); }
+  double worst(const Reflection& r) const { return std::max(ratio(r.departure_k(), limit_k_), ratio(r.departure_gamma(), limit_gamma_)); }
   void take(Reflection r) {
     if (!best_ || worst(r) < worst(*best_)) best_ = std::move(r);
   }
@@ -182,7 +182,7 @@ std::optional<SymmetrySearch> excluded_by_invariant(const Normalised& s) {
   const double rounding = 100 * std::pow(n, 1.5) * (ratio(s.noise_k, s.norm_k) + ratio(s.noise_gamma, s.norm_gamma) + n * epsilon);
   if (!(size > far) || !(size > rounding)) return std::nullopt;
   SymmetrySearch none;
-  none.breach = size;
+  none.departure = size;
   none.threshold = rounding;
   return none;
 }
@@ -238,7 +238,7 @@ SymmetrySearch find_reversing_symmetry(const Matrix& mass, const Matrix& gyrosco
   const double entry = worst_entry(search.best(), s, mass, gyroscopic, stiffness);
   constexpr double more = 8;  // a largest entry is more than the average that norms are compared with
   if (!(entry <= more)) {     // in units of the threshold, as the norms cannot show it
-    result.breach = entry * result.threshold;
+    result.departure = entry * result.threshold;
     return result;
   }
   const auto to_physical = [&](Matrix v) {

@@ -23,11 +23,11 @@ struct ReversingSymmetry {
   ReversingSymmetry in_units(const Units& units) const;
 };
 
-/// The outcome of a search. In mass-normalised coordinates k, Γ, with R orthogonal, the breach of (T7) is max(‖kR − Rk‖/2‖k‖, ‖ΓR + RΓ‖/2‖Γ‖), Frobenius norms.
+/// The outcome of a search. In mass-normalised coordinates k, Γ, with R orthogonal, the departure of (T7) is max(‖kR − Rk‖/2‖k‖, ‖ΓR + RΓ‖/2‖Γ‖), Frobenius norms.
 struct SymmetrySearch {
   std::optional<ReversingSymmetry> found;
-  double breach = 0;       ///< of the R found, or of the nearest miss; where an invariant excluded R, |tr(Γ kΓ k²Γ)| n^1.5 over the norms
-  double threshold = 0;    ///< what rounding in the given matrices can do: c·n·ε·amplification, to compare with `breach`
+  double departure = 0;       ///< of the R found, or of the nearest miss; where an invariant excluded R, |tr(Γ kΓ k²Γ)| n^1.5 over the norms
+  double threshold = 0;    ///< what rounding in the given matrices can do: c·n·ε·amplification, to compare with `departure`
   double amplification = 1;///< of relative rounding in M, G, K by the change to mass-normalised coordinates: between 1 and about the condition of M
 };
 
@@ -35,7 +35,7 @@ struct SymmetrySearch {
 /// R = Ū D Uᴴ, D block-diagonal over repeated μ, and R real (Conjugation). What is found is verified on k and Γ. Matrices n × n, of one connected
 /// component; cost: a complex eigenproblem of order n and some products.
 ///
-/// `quick`: an invariant is asked first. R turns tr(Γ kΓ k²Γ), odd in Γ, into its negative, so where that is not zero by far there is no R, and what was found is its size instead of a breach: a tenth of the cost.
+/// `quick`: an invariant is asked first. R turns tr(Γ kΓ k²Γ), odd in Γ, into its negative, so where that is not zero by far there is no R, and what was found is its size instead of a departure: a tenth of the cost.
 SymmetrySearch find_reversing_symmetry(const Matrix& mass, const Matrix& gyroscopic, const Matrix& stiffness, bool quick = false);
 
 }  // namespace gyromode

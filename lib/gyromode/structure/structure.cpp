@@ -33,7 +33,7 @@ std::vector<Index> collected(const std::vector<Component>& components, std::vect
 
 }  // namespace
 
-std::string_view word(SystemClass c) {
+std::string_view to_string(SystemClass c) {
   switch (c) {
     case SystemClass::quadrature: return "quadrature";
     case SystemClass::hidden_quadrature: return "hidden_quadrature";

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/structure/definiteness.h"
+#include "gyromode/structure/inertia_of_k.h"
 #include "gyromode/structure/quadrature.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/system.h"
@@ -13,7 +13,7 @@ namespace gyromode {
 
 /// The class that decides which solver serves a system (theory §1–3).
 enum class SystemClass { quadrature, hidden_quadrature, general };
-std::string_view word(SystemClass c);
+std::string_view to_string(SystemClass c);
 
 /// Whether a reversing symmetry is looked for where the coordinates show no partition. `by_cost`: at any order where K is not positive definite, as the general solver then costs five to fourteen times the
 /// search; where K is, the general solver is faster than the search alone, and it is looked for up to order 256 only, where it takes hundredths of a second, so as to be known

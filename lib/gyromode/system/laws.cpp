@@ -17,15 +17,15 @@ namespace gyromode {
 namespace {
 
 // The pair (i, j), i ≥ j, where |a_ij − sign·a_ji| / √(r_i r_j) is largest, r_i the largest entry of row and column i: units cancel.
-struct Breach {
+struct Departure {
   Index i = 0, j = 0;
   double size = 0;   // |a_ij − sign·a_ji|
   double ratio = 0;  // over √(r_i r_j)
 };
 
-Breach largest_breach(const Matrix& a, double sign) {
+Departure largest_departure(const Matrix& a, double sign) {
   const Vector rows = a.cwiseAbs().rowwise().maxCoeff().cwiseMax(a.cwiseAbs().colwise().maxCoeff().transpose());
-  Breach worst;
+  Departure worst;
   for (Index j = 0; j < a.cols(); ++j) {
     for (Index i = j; i < a.rows(); ++i) {
       const double size = std::abs(a(i, j) - sign * a(j, i));
@@ -38,7 +38,7 @@ Breach largest_breach(const Matrix& a, double sign) {
 }
 
 double require_symmetry(std::string_view name, const Matrix& a, double sign) {
-  const Breach b = largest_breach(a, sign);
+  const Departure b = largest_departure(a, sign);
   if (b.ratio <= symmetry_tolerance) return b.ratio;
   const double largest = a.cwiseAbs().maxCoeff();
   const std::string law = fmt::format("{0} must satisfy {0} = {1}{0}ᵀ", name, sign > 0 ? "" : "−");

@@ -1,0 +1,175 @@
+#include "gyromode/formats/digest.h"
+#include "gyromode/base/error.h"
+#include "gyromode/base/labels.h"
+#include "gyromode/formats/matrix_market.h"
+#include "gyromode/read/read_model.h"
+#include "gyromode/read/spacecraft_toml.h"
+#include "gyromode/formats/text_file.h"
+#include "gyromode/read/toml_table.h"
+#include "gyromode/models/matrices.h"
+#include "gyromode/models/spacecraft_model.h"
+#include "gyromode/system/laws.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <iterator>
+#include <memory>
+
+namespace gyromode::io {
+
+namespace {
+
+constexpr std::array<std::string_view, 11> matrices_keys{"kind", "title", "reference", "known", "labels", "mass", "gyroscopic", "stiffness", "spin",
+                                                         "gyroscopic_per_spin", "stiffness_per_spin2"};
+constexpr std::array<std::string_view, 7> first_order_keys{"kind", "title", "reference", "known", "labels", "inertia", "gyroscopic"};
+constexpr std::array<std::string_view, 3> known_keys{"frequencies", "stability", "class"};
+
+// A matrix, square and of order n where n is known (0: not yet).
+std::optional<Matrix> matrix(const TomlTable& table, std::string_view key, Index& n, Digest& digest) {
+  auto found = table.matrix(key, digest);
+  if (!found) return std::nullopt;
+  const Matrix& a = *found;
+  if (a.rows() != a.cols()) table.fail(key, fmt::format("'{}' has {} rows and {} columns: a square matrix was expected", key, a.rows(), a.cols()));
+  if (n != 0 && a.rows() != n) {
+    table.fail(key, fmt::format("'{0}' is {1} × {1}: the order of the matrices before it, {2} × {2}, was expected", key, a.rows(), n));
+  }
+  n = a.rows();
+  return found;
+}
+
+Matrix required(std::optional<Matrix> a, const TomlTable& table, std::string_view key) {
+  if (!a) table.fail(fmt::format("key '{}' is missing: a Matrix Market file or rows of numbers was expected", key));
+  return std::move(*a);
+}
+
+// Labels that the file gives must name every coordinate once.
+void require_fitting_labels(const TomlTable& table, const Labels& labels, Index n) {
+  if (labels.empty()) return;
+  if (static_cast<Index>(labels.size()) != n) table.fail("labels", fmt::format("'labels' has {} names: {} were expected, one a coordinate", labels.size(), n));
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i].empty()) table.fail("labels", fmt::format("label {} is empty: a name was expected", i + 1));
+    if (has_control_character(labels[i])) {
+      table.fail("labels", fmt::format("label {}, '{}', has a control character: a name that prints on one line was expected", i + 1, shown(labels[i])));
+    }
+    if (std::find(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(i), labels[i]) != labels.begin() + static_cast<std::ptrdiff_t>(i)) {
+      table.fail("labels", fmt::format("label '{}' is given twice: different names were expected", shown(labels[i])));
+    }
+  }
+}
+
+std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, std::optional<double>& spin, Digest& digest) {
+  table.allow_only(matrices_keys);
+  Labels labels = table.texts("labels");
+  Index n = 0;
+  Matrix mass = required(matrix(table, "mass", n, digest), table, "mass");
+  std::optional<Matrix> gyroscopic = matrix(table, "gyroscopic", n, digest);
+  std::optional<Matrix> stiffness = matrix(table, "stiffness", n, digest);
+  const std::optional<Matrix> per_spin = matrix(table, "gyroscopic_per_spin", n, digest);
+  const std::optional<Matrix> per_spin2 = matrix(table, "stiffness_per_spin2", n, digest);
+  spin = table.frequency("spin");
+  if (spin && !per_spin && !per_spin2) {
+    table.fail("spin", "'spin' has nothing to act on: 'gyroscopic_per_spin' or 'stiffness_per_spin2' was expected beside it");
+  }
+  if (!spin && per_spin) table.fail("gyroscopic_per_spin", "'gyroscopic_per_spin' needs 'spin' = a frequency");
+  if (!spin && per_spin2) table.fail("stiffness_per_spin2", "'stiffness_per_spin2' needs 'spin' = a frequency");
+  if (!stiffness && !per_spin2) table.fail("key 'stiffness' is missing: a Matrix Market file or rows of numbers was expected");
+  require_fitting_labels(table, labels, n);
+  Matrix g = gyroscopic.value_or(Matrix::Zero(n, n));
+  Matrix k = stiffness.value_or(Matrix::Zero(n, n));
+  if (per_spin) g += *spin * *per_spin;
+  if (per_spin2) k += *spin * *spin * *per_spin2;
+  return std::make_shared<MatricesModel>(System(std::move(mass), std::move(g), std::move(k), std::move(labels)));
+}
+
+std::shared_ptr<const ModelKind> read_first_order(const TomlTable& table, std::optional<double>&, Digest& digest) {
+  table.allow_only(first_order_keys);
+  Labels labels = table.texts("labels");
+  Index n = 0;
+  Matrix inertia = required(matrix(table, "inertia", n, digest), table, "inertia");
+  Matrix g = required(matrix(table, "gyroscopic", n, digest), table, "gyroscopic");
+  require_fitting_labels(table, labels, n);
+  return std::make_shared<FirstOrderModel>(FirstOrderSystem(std::move(inertia), std::move(g), std::move(labels)));
+}
+
+std::shared_ptr<const ModelKind> read_spacecraft_model(const TomlTable& table, std::optional<double>& spin, Digest&) {
+  Spacecraft s = read_spacecraft(table);
+  spin = s.spin();
+  return std::make_shared<SpacecraftModel>(std::move(s));
+}
+
+// Every kind: its word in model files, and who reads it.
+struct Kind {
+  std::string_view word;
+  std::shared_ptr<const ModelKind> (*read)(const TomlTable& table, std::optional<double>& spin, Digest& digest);
+};
+constexpr Kind kinds[] = {
+    {"matrices", read_second_order},
+    {"first_order", read_first_order},
+    {"spacecraft", read_spacecraft_model},
+};
+
+std::string quoted_kinds(char quote) {
+  std::string words;
+  for (std::size_t k = 0; k < std::size(kinds); ++k) words += fmt::format("{}{}{}{}", k == 0 ? "" : k + 1 == std::size(kinds) ? " or " : ", ", quote, kinds[k].word, quote);
+  return words;
+}
+
+std::string one_of(const TomlTable& table, std::string_view key, std::initializer_list<std::string_view> words) {
+  std::string word = table.text(key).value_or("");
+  if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end()) {
+    table.fail(key, fmt::format("'{}' is no {}: {} was expected", shown(word), key, fmt::join(words, ", ")));
+  }
+  return word;
+}
+
+KnownValues read_known(const TomlTable& table) {
+  KnownValues known;
+  const auto inner = table.table("known");
+  if (!inner) return known;
+  inner->allow_only(known_keys);
+  known.frequencies = inner->numbers("frequencies");
+  known.stability = one_of(*inner, "stability", {"stable", "gyroscopically_stabilised", "marginal", "unstable"});
+  known.system_class = one_of(*inner, "class", {"quadrature", "hidden_quadrature", "general", "transcendental"});
+  if (!std::is_sorted(known.frequencies.begin(), known.frequencies.end())) inner->fail("frequencies", "'frequencies' do not ascend: rad/s in ascending order were expected");
+  return known;
+}
+
+}  // namespace
+
+Model read_model(const std::filesystem::path& file) { return parse_model(read_text(file, "TOML model"), file); }
+
+Model parse_model(std::string_view text, const std::filesystem::path& name) {
+  const TomlTable table(text, name);
+  const std::string word = table.text("kind").value_or("");
+  if (word.empty()) table.fail(fmt::format("key 'kind' is missing: kind = {} was expected", quoted_kinds('"')));
+  const auto kind = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.word == word; });
+  if (kind == std::end(kinds)) table.fail("kind", fmt::format("kind '{}' is not known to this version: {} was expected", shown(word), quoted_kinds('\'')));
+  Digest digest;
+  digest.add(text);
+  std::optional<double> spin;
+  std::shared_ptr<const ModelKind> body = kind->read(table, spin, digest);
+  return {table.text("title").value_or(name.stem().string()), table.text("reference").value_or(""), word, digest.sha256(), std::move(body), spin, read_known(table)};
+}
+
+Model read_matrices(const std::filesystem::path& mass, const std::optional<std::filesystem::path>& gyroscopic, const std::filesystem::path& stiffness) {
+  Digest digest;
+  Index n = 0;
+  const auto read = [&](const std::filesystem::path& file) {
+    const std::string text = read_text(file, "Matrix Market");
+    digest.add(text);
+    Matrix a = parse_matrix_market(text, file, most_coordinates);
+    if (a.rows() != a.cols()) throw Unreadable(file, fmt::format("has {} rows and {} columns: a square matrix was expected", a.rows(), a.cols()));
+    if (n != 0 && a.rows() != n) throw Unreadable(file, fmt::format("is {0} × {0}: the order of '{2}', {1} × {1}, was expected", a.rows(), n, mass.string()));
+    n = a.rows();
+    return a;
+  };
+  Matrix m = read(mass);
+  Matrix g = gyroscopic ? read(*gyroscopic) : Matrix::Zero(n, n);
+  Matrix k = read(stiffness);
+  return {mass.stem().string(), "", "matrices", digest.sha256(), std::make_shared<MatricesModel>(System(std::move(m), std::move(g), std::move(k))), std::nullopt, {}};
+}
+
+}  // namespace gyromode::io

@@ -1,0 +1,216 @@
+#include "gyromode/read/toml_table.h"
+
+#include "gyromode/base/error.h"
+#include "gyromode/formats/matrix_market.h"
+#include "gyromode/formats/nearest.h"
+#include "gyromode/formats/text_file.h"
+#include "gyromode/read/toml_text.h"
+#include "gyromode/system/laws.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <system_error>
+
+namespace gyromode::io {
+
+struct TomlTable::Content {
+  std::shared_ptr<const toml::table> document;  // whole: a copy of a part would not know its lines
+  const toml::table& table;
+  std::filesystem::path file;
+};
+
+namespace {
+
+std::string_view type_word(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string: return "a string";
+    case toml::node_type::integer:
+    case toml::node_type::floating_point: return "a number";
+    case toml::node_type::boolean: return "true or false";
+    case toml::node_type::array: return "an array";
+    case toml::node_type::table: return "a table";
+    default: return "a date or time";
+  }
+}
+
+[[noreturn]] void fail_at(const std::filesystem::path& file, const toml::node& node, const std::string& message) {
+  throw Unreadable(file, node.source().begin.line, node.source().begin.column, message);
+}
+
+double finite_number(const std::filesystem::path& file, const toml::node& node, std::string_view what) {
+  // An integer that no double holds exactly is rounded, as a decimal would be; toml++ gives nothing for it as a double.
+  const auto whole = node.value_exact<std::int64_t>();
+  const std::optional<double> value = whole ? static_cast<double>(*whole) : node.value<double>();
+  if (!node.is_number() || !value) fail_at(file, node, fmt::format("{} is {}: a number was expected", what, type_word(node)));
+  if (!std::isfinite(*value)) fail_at(file, node, fmt::format("{} is {}: a finite number was expected", what, *value));
+  return *value;
+}
+
+Matrix inline_rows(const std::filesystem::path& file, const toml::array& rows, std::string_view key) {
+  const auto* first = rows.empty() ? nullptr : rows.get(0)->as_array();
+  if (!first || first->empty()) fail_at(file, rows, fmt::format("'{}' has no rows: [[…], […]] was expected", key));
+  Matrix a(static_cast<Index>(rows.size()), static_cast<Index>(first->size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto* row = rows.get(i)->as_array();
+    if (!row) fail_at(file, *rows.get(i), fmt::format("row {} of '{}' is {}: an array of numbers was expected", i + 1, key, type_word(*rows.get(i))));
+    if (row->size() != first->size()) {
+      fail_at(file, *row, fmt::format("row {} of '{}' has {} numbers: {} were expected, as in row 1", i + 1, key, row->size(), first->size()));
+    }
+    for (std::size_t j = 0; j < row->size(); ++j) {
+      a(static_cast<Index>(i), static_cast<Index>(j)) = finite_number(file, *row->get(j), fmt::format("entry ({},{}) of '{}'", i + 1, j + 1, key));
+    }
+  }
+  return a;
+}
+
+}  // namespace
+
+TomlTable::TomlTable(std::string_view text, const std::filesystem::path& file) {
+  const auto document = std::make_shared<const toml::table>(parse_toml(text, file));
+  content_ = std::make_shared<const Content>(Content{document, *document, file});
+}
+
+TomlTable::TomlTable(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+
+void TomlTable::allow_only(std::span<const std::string_view> keys) const {
+  for (const auto& [key, value] : content_->table) {
+    if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
+    throw Unreadable(content_->file, key.source().begin.line, key.source().begin.column,
+                     fmt::format("key '{}' is not known here: did you mean '{}'?", shown(key.str()), nearest(key.str(), keys)));
+  }
+}
+
+std::optional<std::string> TomlTable::text(std::string_view key) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  if (!node->is_string()) fail(key, fmt::format("'{}' is {}: a string was expected", key, type_word(*node)));
+  return node->value<std::string>();
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
+  std::vector<std::string> all;
+  const toml::node* node = content_->table.get(key);
+  if (!node) return all;
+  if (!node->is_array()) fail(key, fmt::format("'{}' is {}: an array of strings was expected", key, type_word(*node)));
+  for (const toml::node& item : *node->as_array()) {
+    if (!item.is_string()) fail_at(content_->file, item, fmt::format("an item of '{}' is {}: a string was expected", key, type_word(item)));
+    all.push_back(*item.value<std::string>());
+  }
+  return all;
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key) const {
+  std::vector<double> all;
+  const toml::node* node = content_->table.get(key);
+  if (!node) return all;
+  if (!node->is_array()) fail(key, fmt::format("'{}' is {}: an array of numbers was expected", key, type_word(*node)));
+  for (const toml::node& item : *node->as_array()) all.push_back(finite_number(content_->file, item, fmt::format("an item of '{}'", key)));
+  return all;
+}
+
+std::optional<double> TomlTable::frequency(std::string_view key) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  if (node->is_number()) return finite_number(content_->file, *node, fmt::format("'{}'", key));
+  if (!node->is_string()) fail(key, fmt::format("'{}' is {}: {} was expected", key, type_word(*node), frequency_form));
+  const std::string written = *node->value<std::string>();
+  const auto value = parse_frequency(written);
+  if (!value) fail(key, fmt::format("'{}' = \"{}\" is no frequency: {} was expected", key, shown(written), frequency_form));
+  return value;
+}
+
+namespace {
+
+double quantity_of(const std::filesystem::path& file, const toml::node& node, const std::string& what, Dimension dimension, bool infinite) {
+  if (infinite && node.is_floating_point() && std::isinf(*node.value<double>()) && *node.value<double>() > 0) return *node.value<double>();
+  if (node.is_number()) return finite_number(file, node, what);
+  if (!node.is_string()) fail_at(file, node, fmt::format("{} is {}: {} was expected", what, type_word(node), form_of(dimension)));
+  const std::string written = *node.value<std::string>();
+  const auto value = parse_quantity(written, dimension);
+  if (!value) fail_at(file, node, fmt::format("{} = \"{}\": {} was expected", what, shown(written), form_of(dimension)));
+  return *value;
+}
+
+}  // namespace
+
+std::optional<double> TomlTable::quantity(std::string_view key, Dimension dimension) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  return quantity_of(content_->file, *node, fmt::format("'{}'", key), dimension, false);
+}
+
+std::vector<double> TomlTable::quantities(std::string_view key, Dimension dimension, std::size_t count, bool infinite) const {
+  std::vector<double> all;
+  const toml::node* node = content_->table.get(key);
+  if (!node) return all;
+  const toml::array* items = node->as_array();
+  if (!items) fail(key, fmt::format("'{}' is {}: {} values were expected, [ … ]", key, type_word(*node), count));
+  if (items->size() != count) fail(key, fmt::format("'{}' has {} values: {} were expected", key, items->size(), count));
+  for (std::size_t i = 0; i < count; ++i) all.push_back(quantity_of(content_->file, *items->get(i), fmt::format("value {} of '{}'", i + 1, key), dimension, infinite));
+  return all;
+}
+
+std::optional<Matrix> TomlTable::diagonal_or_matrix(std::string_view key, Dimension dimension, std::size_t count) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  const toml::array* items = node->as_array();
+  if (items && !items->empty() && items->get(0)->is_array()) {
+    const Matrix rows = inline_rows(content_->file, *items, key);
+    if (rows.rows() != static_cast<Index>(count) || rows.cols() != rows.rows()) {
+      fail(key, fmt::format("'{}' is {} × {}: {} values or {} × {} were expected", key, rows.rows(), rows.cols(), count, count, count));
+    }
+    return rows;
+  }
+  const std::vector<double> diagonal = quantities(key, dimension, count);
+  return Matrix(Eigen::Map<const Vector>(diagonal.data(), static_cast<Index>(count)).asDiagonal());
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  std::vector<TomlTable> all;
+  const toml::node* node = content_->table.get(key);
+  if (!node) return all;
+  const toml::array* items = node->as_array();
+  if (!items) fail(key, fmt::format("'{}' is {}: tables [[{}]] were expected", key, type_word(*node), key));
+  for (const toml::node& item : *items) {
+    if (!item.is_table()) fail_at(content_->file, item, fmt::format("an item of '{}' is {}: a table [[{}]] was expected", key, type_word(item), key));
+    all.push_back(TomlTable(std::make_shared<const Content>(Content{content_->document, *item.as_table(), content_->file})));
+  }
+  return all;
+}
+
+std::optional<TomlTable> TomlTable::table(std::string_view key) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  if (!node->is_table()) fail(key, fmt::format("'{}' is {}: a table [{}] was expected", key, type_word(*node), key));
+  return TomlTable(std::make_shared<const Content>(Content{content_->document, *node->as_table(), content_->file}));
+}
+
+std::optional<Matrix> TomlTable::matrix(std::string_view key, Digest& digest) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  if (const auto* rows = node->as_array()) return inline_rows(content_->file, *rows, key);
+  if (!node->is_string()) fail(key, fmt::format("'{}' is {}: a Matrix Market file or rows of numbers was expected", key, type_word(*node)));
+  const std::filesystem::path file = content_->file.parent_path() / *node->value<std::string>();
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    fail(key, fmt::format("'{}' names '{}', which does not exist: a Matrix Market file was expected", key, shown(*node->value<std::string>())));
+  }
+  const std::string text = read_text(file, "Matrix Market");
+  digest.add(text);
+  return parse_matrix_market(text, file, most_coordinates);
+}
+
+void TomlTable::fail(std::string_view key, const std::string& message) const { fail_at(content_->file, *content_->table.get(key), message); }
+void TomlTable::break_law(std::string_view key, const std::string& law) const {
+  const toml::node* node = content_->table.get(key);
+  const auto& at = (node ? node->source() : content_->table.source()).begin;
+  throw LawBroken(content_->file, at.line, at.column, law);
+}
+void TomlTable::fail(const std::string& message) const {
+  const std::size_t line = content_->table.source().begin.line;
+  throw Unreadable(content_->file, line, 0, message);
+}
+
+}  // namespace gyromode::io

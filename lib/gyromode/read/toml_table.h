@@ -1,0 +1,56 @@
+#pragma once
+
+#include "gyromode/formats/digest.h"
+#include "gyromode/base/error.h"
+#include "gyromode/base/quantity.h"
+#include "gyromode/base/types.h"
+#include "gyromode/system/laws.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gyromode::io {
+
+/// A table of a TOML file (toml++) that knows where every value stands: each getter returns nothing for a missing key and throws Unreadable with
+/// line, column, value and expectation for one of the wrong type or unit.
+class TomlTable {
+ public:
+  /// Parses the text; `file` is named in messages, and file names in the text are relative to its folder.
+  TomlTable(std::string_view text, const std::filesystem::path& file);
+
+  /// Throws for any key that is not in `keys`, with the nearest one that is.
+  void allow_only(std::span<const std::string_view> keys) const;
+
+  std::optional<std::string> text(std::string_view key) const;
+  std::vector<std::string> texts(std::string_view key) const;  ///< empty for a missing key
+  std::vector<double> numbers(std::string_view key) const;     ///< finite; empty for a missing key
+  std::optional<double> frequency(std::string_view key) const; ///< rad/s; a number or a string with a unit
+  /// A number in SI or a string with a unit of the dimension; finite.
+  std::optional<double> quantity(std::string_view key, Dimension dimension) const;
+  /// `count` of them in an array; `infinite`: inf is allowed. Empty for a missing key.
+  std::vector<double> quantities(std::string_view key, Dimension dimension, std::size_t count, bool infinite = false) const;
+  /// `count` of them, or as many rows of as many.
+  std::optional<Matrix> diagonal_or_matrix(std::string_view key, Dimension dimension, std::size_t count) const;
+  std::optional<TomlTable> table(std::string_view key) const;
+  std::vector<TomlTable> tables(std::string_view key) const;  ///< [[key]], in order; empty for a missing key
+  /// A Matrix Market file, whose bytes are added to the digest, or rows of finite numbers.
+  std::optional<Matrix> matrix(std::string_view key, Digest& digest) const;
+
+  [[noreturn]] void fail(std::string_view key, const std::string& message) const;  ///< at the value of a key
+  [[noreturn]] void fail(const std::string& message) const;                        ///< at the table
+  /// Throws LawBroken at the value of a key, or at the table where the key is missing.
+  [[noreturn]] void break_law(std::string_view key, const std::string& law) const;
+
+ private:
+  struct Content;
+  explicit TomlTable(std::shared_ptr<const Content> content);
+
+  std::shared_ptr<const Content> content_;
+};
+
+}  // namespace gyromode::io

@@ -1,0 +1,79 @@
+#include "gyromode/spacecraft/spacecraft.h"
+
+#include "gyromode/lapack/small.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace gyromode {
+
+namespace {
+
+std::optional<BrokenLaw> positive(const char* key, const char* unit, double value) {
+  if (value > 0 && std::isfinite(value)) return std::nullopt;
+  return BrokenLaw{key, fmt::format("'{}' must be above 0: it is {:.6g} {}", key, value, unit)};
+}
+
+std::optional<BrokenLaw> not_negative(const char* key, const char* unit, double value) {
+  if (value >= 0 && std::isfinite(value)) return std::nullopt;
+  return BrokenLaw{key, fmt::format("'{}' must not be below 0: it is {:.6g} {}", key, value, unit)};
+}
+
+std::optional<BrokenLaw> finite(const char* key, double value) {
+  if (std::isfinite(value)) return std::nullopt;
+  return BrokenLaw{key, fmt::format("'{}' must be finite: it is {}", key, value)};
+}
+
+std::optional<BrokenLaw> first_of(std::initializer_list<std::optional<BrokenLaw>> laws) {
+  for (const auto& b : laws) {
+    if (b) return b;
+  }
+  return std::nullopt;
+}
+
+std::optional<BrokenLaw> law_of_inertia(const Eigen::Matrix3d& j) {
+  constexpr double rounding = 1e-12;
+  if (!j.allFinite()) return BrokenLaw{"inertia", "'inertia' must be finite"};
+  const double size = j.cwiseAbs().maxCoeff();
+  for (Index i = 0; i < 3; ++i) {
+    for (Index k = 0; k < i; ++k) {
+      if (std::abs(j(i, k) - j(k, i)) > rounding * size) {
+        return BrokenLaw{"inertia", fmt::format("'inertia' must be symmetric: entries ({},{}) = {:.6g} and ({},{}) = {:.6g} differ", k + 1, i + 1, j(k, i), i + 1, k + 1, j(i, k))};
+      }
+    }
+  }
+  const Eigen::Vector3d principal = small::symmetric_eigenvalues(j);
+  if (!(principal(0) > 0)) return BrokenLaw{"inertia", fmt::format("'inertia' must be positive definite: its smallest principal moment is {:.6g} kg m²", principal(0))};
+  if (principal(2) > (principal(0) + principal(1)) * (1 + rounding)) {
+    return BrokenLaw{"inertia", fmt::format("'inertia' must obey the triangle inequality, no principal moment above the sum of the others: {:.10g} > {:.10g} + {:.10g} kg m²",
+                                         principal(2), principal(0), principal(1))};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<BrokenLaw> broken_law(const Body& b) { return first_of({positive("mass", "kg", b.mass), law_of_inertia(b.inertia)}); }
+
+std::optional<BrokenLaw> broken_law(const Cable& c) {
+  return first_of({finite("azimuth", c.azimuth), not_negative("radius", "m", c.radius), finite("height", c.height), positive("length", "m", c.length),
+                   positive("line_density", "kg/m", c.line_density), not_negative("tip_mass", "kg", c.tip_mass)});
+}
+
+std::optional<BrokenLaw> broken_law(const Beam& b) {
+  return first_of({finite("root", b.root_height), positive("length", "m", b.length), positive("line_density", "kg/m", b.line_density),
+                   positive("bending_stiffness", "N m²", std::min(b.bending_stiffness[0], b.bending_stiffness[1])), not_negative("tip_mass", "kg", b.tip_mass)});
+}
+
+std::optional<BrokenLaw> broken_law(const SpringMass& m) {
+  if (const auto b = first_of({finite("position", m.position.sum()), positive("mass", "kg", m.mass)})) return b;
+  for (Index i = 0; i < 3; ++i) {
+    if (!(m.stiffness(i) > 0)) {
+      return BrokenLaw{"stiffness", fmt::format("'stiffness' must be above 0 (inf: rigid), or nothing holds the mass to the body: along axis {} it is {:.6g} N/m", i + 1, m.stiffness(i))};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace gyromode

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "gyromode/stability/stability_point.h"
+
+#include <functional>
+#include <vector>
+
+namespace gyromode {
+
+/// Where a parameter changes the verdict.
+struct CriticalValue {
+  std::size_t axis = 0;
+  double value = 0;             ///< the middle of the bracket
+  double lo = 0, hi = 0;        ///< bracket: `from` was found at lo, `to` at hi, and no verdict of any width between
+  StabilityPoint from, to;      ///< below and above, both decided
+  std::vector<double> others;   ///< the other parameters, in their order
+};
+
+struct StabilityMap {
+  struct Cell {
+    std::vector<double> values;
+    StabilityPoint point;
+  };
+  std::vector<std::vector<double>> axes;
+  std::vector<Cell> cells;              ///< the first axis runs fastest
+  std::vector<CriticalValue> critical;  ///< along the first axis
+  Index evaluations = 0;                ///< of the verdict between the cells, to find the critical values
+};
+
+/// The verdict over a grid of one or two parameters, and where along the first it changes between neighbouring cells that have one: bisected to BorderSearch::resolution of the range or to
+/// the last bit. Cells and points without a verdict (`unknown`, no model) are no border by themselves; between two different verdicts they widen the bracket of the one border there. What lies between
+/// two neighbours with the same verdict is not looked at. `progress` is told cells done and in all.
+StabilityMap map_stability(const std::function<StabilityPoint(const std::vector<double>&)>& verdict, std::vector<std::vector<double>> axes,
+                           const std::function<void(Index, Index)>& progress = {});
+
+}  // namespace gyromode

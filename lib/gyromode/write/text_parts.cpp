@@ -1,0 +1,105 @@
+#include "gyromode/write/text_parts.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace gyromode::io {
+
+namespace {
+
+std::string sign_word(const Mode& m) { return m.energy_sign > 0 ? "+" : m.energy_sign < 0 ? "−" : "0"; }
+
+}  // namespace
+
+std::string plural(Index n, std::string_view one) { return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s"); }
+
+std::string written(const Grid& grid, Format format) { return format == Format::markdown ? grid.markdown() : grid.aligned(); }
+
+std::string fact(Format format, std::string_view key, const std::string& value) {
+  return format == Format::markdown ? fmt::format("- **{}**: {}\n", key, value) : fmt::format("{:<11} {}\n", key, value);
+}
+
+std::string heading(Format format, const std::string& title) {
+  return format == Format::markdown ? fmt::format("## {}\n\n", title) : fmt::format("{}\n\n", title);
+}
+
+std::string joined(const Labels& labels, const std::vector<Index>& coordinates) {
+  constexpr std::size_t most = 12;
+  std::string out;
+  for (std::size_t k = 0; k < coordinates.size(); ++k) {
+    if (k == most) return out + fmt::format(", … ({} in all)", coordinates.size());
+    out += (k == 0 ? "" : ", ") + labels[static_cast<std::size_t>(coordinates[k])];
+  }
+  return out.empty() ? "none" : out;
+}
+
+std::string model_line(const Model& model) {
+  return fmt::format("{} ({}, {})", model.title, plural(model.size(), "coordinate"), model.body->in_words());
+}
+
+std::string class_words(const Model& model, const Structure& s) {
+  if (model.body->transcendental()) {
+    return fmt::format("transcendental (exact booms), {}", s.system_class() == SystemClass::quadrature ? "quadrature: every mode moves partly in phase, partly in quadrature"
+                                                                                                         : "fully complex: phases differ from mode to mode");
+  }
+  switch (s.system_class()) {
+    case SystemClass::quadrature: return "quadrature: every mode moves partly in phase, partly in quadrature";
+    case SystemClass::hidden_quadrature: return "hidden quadrature: in phase and in quadrature in other coordinates, by a reversing symmetry";
+    default: return "general: phases differ from mode to mode";
+  }
+}
+
+std::string stiffness_words(const InertiaOfK& k) {
+  if (k.definiteness() == Definiteness::positive) return "K positive definite";
+  if (k.definiteness() == Definiteness::semidefinite) return fmt::format("K positive semidefinite, {} zero", k.zero);
+  return fmt::format("K indefinite, {} negative{}", k.negative, k.zero > 0 ? fmt::format(" and {} zero", k.zero) : "");
+}
+
+std::string stability_words(Stability s) {
+  switch (s) {
+    case Stability::stable: return "stable";
+    case Stability::gyroscopically_stabilised: return "gyroscopically stabilised: stable without damping, but some modes have negative energy and damping destabilises them";
+    case Stability::marginal: return "marginal: a backward error of rounding size changes the verdict";
+    case Stability::unstable: return "unstable";
+    default: return "unknown: the index balance does not close";
+  }
+}
+
+std::string window_words(const Window& w) {
+  return std::isinf(w.b) ? fmt::format("[{:.6g}, ∞)", w.a) : fmt::format("[{:.6g}, {:.6g})", w.a, w.b);
+}
+
+std::string balance_words(const IndexBalance& b) {
+  return fmt::format("{}: n₋(K) = {} = {} divergent + 2·{} flutter + 2·{} of negative energy{}", b.closed ? "closed" : "NOT closed", b.negative, b.real_pairs,
+                     b.quadruples, b.negative_energy, b.zero_negative > 0 ? fmt::format(" + {} at zero", b.zero_negative) : "");
+}
+
+std::string complex_cell(const Complex& z) {
+  if (z.imag() == 0) return fmt::format("{:.6g}", z.real());
+  if (z.real() == 0) return fmt::format("{:.6g}j", z.imag());
+  return fmt::format("{:.6g}{:+.6g}j", z.real(), z.imag());
+}
+
+std::string frequency_table(const std::vector<Mode>& modes, Format format) {
+  Grid grid({"#", "ω [rad/s]", "f [Hz]", "energy", "residual", "kind"});
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    const Mode& m = modes[k];
+    grid.add({fmt::format("{}", k + 1), fmt::format("{:.15g}", m.omega), fmt::format("{:.10g}", m.omega / (2 * std::numbers::pi)), sign_word(m),
+              fmt::format("{:.1e}", m.residual), std::string(to_string(m.kind))});
+  }
+  return written(grid, format);
+}
+
+std::string measured(double x) { return std::isfinite(x) ? fmt::format("{:.1e}", x) : "–"; }
+
+std::string unstable_table(const std::vector<UnstableMode>& modes, Format format) {
+  Grid grid({"growth rate [1/s]", "ω [rad/s]", "residual", "error bound", "kind"});
+  for (const UnstableMode& u : modes) {
+    grid.add({fmt::format("{:.15g}", u.growth_rate), fmt::format("{:.15g}", u.omega), measured(u.residual), measured(u.error_bound), u.flutter() ? "flutter" : "divergence"});
+  }
+  return written(grid, format);
+}
+
+}  // namespace gyromode::io
