@@ -3,7 +3,7 @@
 #include "errors.h"
 #include "input.h"
 
-#include "gyromode/formats/nearest.h"
+#include "gyromode/base/nearest.h"
 #include "gyromode/base/number.h"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ void add_amplitudes(const std::string& list, const std::string& whole, const Lab
     if (equals == std::string::npos) throw UsageError(fmt::format("--force {}: '{}' where LABEL=VALUE was expected", whole, piece));
     const std::string label = piece.substr(0, equals);
     const auto at = std::find(labels.begin(), labels.end(), label);
-    if (at == labels.end()) throw UsageError(fmt::format("--force {}: '{}' is no coordinate of the model: did you mean '{}'?", whole, label, io::nearest(label, known)));
+    if (at == labels.end()) throw UsageError(fmt::format("--force {}: '{}' is no coordinate of the model: did you mean '{}'?", whole, label, nearest(label, known)));
     to(at - labels.begin()) += number(piece.substr(equals + 1), whole, "--force");
   }
 }

@@ -1,7 +1,8 @@
+#include "progress.h"
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/formats/nearest.h"
+#include "gyromode/base/nearest.h"
 #include "gyromode/lapack/memory.h"
 #include "gyromode/version.h"
 
@@ -26,6 +27,7 @@ std::vector<std::string_view> verbs_of(const CLI::App& program) {
 int main(int argc, char** argv) {
   using namespace gyromode::app;
   gyromode::lapack::keep_freed_memory();
+  listen_to_interrupts();
   CLI::App program{"gyromode: the vibration modes of what spins, M q̈ + G q̇ + K q = 0 with G skew, counted and certified.", "gyromode"};
   program.set_version_flag("--version", std::string("gyromode ") + GYROMODE_VERSION);
   program.require_subcommand(1);
@@ -34,7 +36,7 @@ int main(int argc, char** argv) {
       "  gyromode modes models/rigid_body.toml\n"
       "  gyromode modes --mass M.mtx --gyroscopic G.mtx --stiffness K.mtx --below 50Hz -o modes.json\n"
       "  gyromode structure models/wiresaw.toml\n"
-      "Exit codes: 0 done and certified, 1 usage, 2 unreadable input, 3 input against a law, 4 not certified complete, 70 internal error.");
+      "Exit codes: 0 done and certified, 1 usage, 2 unreadable input, 3 input against a law, 4 not certified complete, 70 internal error, 130 interrupted (what is known by then is written, and marked).");
   int code = 0;
   add_modes(program, code);
   add_structure(program, code);
@@ -44,7 +46,7 @@ int main(int argc, char** argv) {
   add_convert(program, code);
   const std::vector<std::string_view> verbs = verbs_of(program);
   if (argc > 1 && argv[1][0] != '-' && std::find(verbs.begin(), verbs.end(), argv[1]) == verbs.end()) {
-    std::fprintf(stderr, "gyromode: '%s' is no verb: did you mean '%s'? (see gyromode --help)\n", argv[1], gyromode::io::nearest(argv[1], verbs).c_str());
+    std::fprintf(stderr, "gyromode: '%s' is no verb: did you mean '%s'? (see gyromode --help)\n", argv[1], gyromode::nearest(argv[1], verbs).c_str());
     return static_cast<int>(gyromode::ExitCode::wrong_usage);
   }
   try {

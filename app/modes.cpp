@@ -3,7 +3,7 @@
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/formats/nearest.h"
+#include "gyromode/base/nearest.h"
 #include "gyromode/base/number.h"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ Labels labels_of(const std::string& list, const Labels& labels) {
   const std::vector<std::string_view> known(labels.begin(), labels.end());
   std::istringstream words(list);
   for (std::string label; std::getline(words, label, ',');) {
-    if (std::find(labels.begin(), labels.end(), label) == labels.end()) throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model: did you mean '{}'?", label, io::nearest(label, known)));
+    if (std::find(labels.begin(), labels.end(), label) == labels.end()) throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model: did you mean '{}'?", label, nearest(label, known)));
     if (std::find(chosen.begin(), chosen.end(), label) != chosen.end()) throw UsageError(fmt::format("--keep: '{}' is given twice", label));
     chosen.push_back(label);
   }
@@ -58,6 +58,7 @@ ExitCode run(const Options& given) {
   ModesRequest request;
   request.options.window = o.window.read();
   request.options.lowest = o.lowest;
+  request.options.progress = job.progress();
   request.method = o.method;
   if (!o.keep.empty()) request.keep = labels_of(o.keep, job.model().labels());
   if (o.method == "discrete") job.replace(job.model().body->discretised(o.elements));
@@ -69,7 +70,7 @@ ExitCode run(const Options& given) {
   const ModesResult result = job.answer([&](const ModelKind& m) { return m.modes(request); });
   o.output.write(document(job.model(), result, job.timings(), format));
   const Coverage& c = result.coverage;
-  if (c.window.a != c.requested.a || (c.window.b != c.requested.b && !c.requested.open())) {
+  if (!c.interrupted && (c.window.a != c.requested.a || (c.window.b != c.requested.b && !c.requested.open()))) {
     o.output.say(fmt::format("an end of the window falls on a mode: [{:.17g}, {:.17g}) rad/s was used", c.window.a, c.window.b));
   }
   if (o.lowest && static_cast<Index>(result.modes.size()) > *o.lowest) {
@@ -77,6 +78,7 @@ ExitCode run(const Options& given) {
     for (const Mode& m : result.modes) vibrations += m.kind != ModeKind::rigid_body ? 1 : 0;
     if (vibrations > *o.lowest) o.output.say(fmt::format("mode {} coincides with the next: {} modes are listed", *o.lowest, vibrations));
   }
+  if (c.interrupted) return job.interrupted();
   if (c.status == CoverageStatus::complete) return ExitCode::done;
   o.output.say(fmt::format("not certified complete: {}", c.reason));
   return ExitCode::not_certified;

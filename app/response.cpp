@@ -41,13 +41,15 @@ Vector times_of(const Options& o) {
   return t;
 }
 
-ResponseReport moved(const ModelKind& m, const Options& o) {
+ResponseReport moved(const ModelKind& m, const Options& o, const Progress& progress) {
   m.require_motion();
   const State start = o.initial.empty() ? State::rest(m.size()) : io::read_initial_state(o.initial, m.labels());
-  return m.response(start, forces_of(o.forces, m.labels()), points_of(o.points), times_of(o));
+  return m.response({start, forces_of(o.forces, m.labels()), points_of(o.points), times_of(o), o.rates, progress});
 }
 
-FrequencyReport swept(const ModelKind& m, const Options& o) { return m.frequency_response(amplitude_of(o.forces, m.labels()), frequency_grid("--frequencies", o.frequencies)); }
+FrequencyReport swept(const ModelKind& m, const Options& o, const Progress& progress) {
+  return m.frequency_response({amplitude_of(o.forces, m.labels()), frequency_grid("--frequencies", o.frequencies), progress});
+}
 
 void say_resonances(const FrequencyReport& r, const OutputOption& output) {
   for (const FrequencyPoint& p : r.response.points) {
@@ -76,15 +78,16 @@ ExitCode run(const Options& o) {
   if (!sweep && o.initial.empty() && o.forces.empty()) throw UsageError("nothing moves: give --initial FILE.csv (columns label,q,qdot) or --force");
   Job job(o.source, o.output);
   if (sweep) {
-    const FrequencyReport report = job.answer([&](const ModelKind& m) { return swept(m, o); });
+    const FrequencyReport report = job.answer([&](const ModelKind& m) { return swept(m, o, job.progress()); });
     o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
     say_resonances(report, o.output);
+    if (report.response.interrupted) return job.interrupted();
     return ExitCode::done;
   }
-  ResponseReport report = job.answer([&](const ModelKind& m) { return moved(m, o); });
-  report.rates = o.rates;
+  const ResponseReport report = job.answer([&](const ModelKind& m) { return moved(m, o, job.progress()); });
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
   if (!report.remark.empty()) o.output.say(report.remark);
+  if (report.history.interrupted) return job.interrupted();
   return certified(report, o.output) ? ExitCode::done : ExitCode::not_certified;
 }
 

@@ -4,7 +4,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/number.h"
-#include "gyromode/read/varied_model.h"
+#include "gyromode/models/stability_over.h"
 
 #include <fmt/format.h>
 
@@ -21,87 +21,68 @@ struct Options {
   std::vector<std::string> vary;
 };
 
-// KEY=A:B:N
-struct Axis {
-  std::string key;
-  std::vector<double> values;
+// KEY=A:B:N, taken apart; what A and B are depends on the model.
+struct AxisText {
+  std::string whole, keys, from, to;
+  std::int64_t values = 0;
 };
 
-double bound(const std::string& key, const std::string& text, const std::string& whole) {
-  const auto value = io::parse_value_of(key, text);
-  if (!value) throw UsageError(fmt::format("--vary {}: '{}' is no number in SI or with a unit that fits '{}'", whole, text, key));
-  return *value;
-}
-
-Axis axis_of(const std::string& text) {
+AxisText taken_apart(const std::string& text) {
   constexpr std::int64_t most = 100000;
   const std::size_t equals = text.rfind('='), first = text.find(':', equals), second = first == std::string::npos ? first : text.find(':', first + 1);
   if (equals == std::string::npos || second == std::string::npos) throw UsageError(fmt::format("--vary {}: KEY=A:B:N was expected, such as spin=5rpm:20rpm:31", text));
-  Axis axis{text.substr(0, equals), {}};
-  const double a = bound(axis.key, text.substr(equals + 1, first - equals - 1), text), b = bound(axis.key, text.substr(first + 1, second - first - 1), text);
   const auto n = whole_number(text.substr(second + 1));
   if (!n || *n < 2 || *n > most) throw UsageError(fmt::format("--vary {}: a number of values from 2 to {} was expected at the end", text, most));
-  if (!(b > a) || !std::isfinite(b - a)) throw UsageError(fmt::format("--vary {}: finite A < B was expected", text));
-  for (std::int64_t k = 0; k < *n; ++k) axis.values.push_back(k + 1 == *n ? b : a + (b - a) * static_cast<double>(k) / static_cast<double>(*n - 1));
-  return axis;
+  return {text, text.substr(0, equals), text.substr(equals + 1, first - equals - 1), text.substr(first + 1, second - first - 1), *n};
 }
 
-StabilityPoint verdict_at(const io::VariedModel& varied, const std::vector<std::string>& keys, const std::vector<double>& values, const Options& o) {
-  try {
-    return stability_point(o.source.admitted(varied.at(keys, values)).body->verdict(false));
-  } catch (const LawBroken& e) {
-    StabilityPoint p;
-    p.law_kept = false;
-    p.reason = e.what();
-    return p;
+std::vector<AxisText> axes_of(const std::vector<std::string>& vary) {
+  constexpr std::int64_t most_cells = 1000000;  // verdicts of some milliseconds: an hour or more
+  std::vector<AxisText> axes;
+  for (const std::string& text : vary) axes.push_back(taken_apart(text));
+  if (axes.size() == 2 && axes[0].keys == axes[1].keys) throw UsageError(fmt::format("--vary: '{}' is given twice", axes[0].keys));
+  if (axes.size() > 2) throw UsageError("--vary: one parameter, or two for a chart");
+  if (axes.size() == 2 && axes[0].values * axes[1].values > most_cells) {
+    throw UsageError(fmt::format("--vary: {} × {} = {} cells are more than the {} that a map may have: ask for fewer values", axes[0].values, axes[1].values, axes[0].values * axes[1].values, most_cells));
   }
+  return axes;
 }
 
-// What a map may take: a million verdicts of some milliseconds are an hour or more.
-void require_bounded(const std::vector<Axis>& axes) {
-  constexpr std::size_t most_cells = 1000000;
-  std::size_t cells = 1;
-  for (const Axis& axis : axes) cells *= axis.values.size();
-  if (cells > most_cells) {
-    throw UsageError(fmt::format("--vary: {} × {} = {} cells are more than the {} that a map may have: ask for fewer values", axes[0].values.size(), axes[1].values.size(), cells, most_cells));
-  }
-}
-
-StabilityMap mapped(const Options& o, const std::vector<Axis>& axes, std::vector<std::string>& keys) {
-  const io::VariedModel varied{std::filesystem::path(o.source.model)};
-  std::vector<std::vector<double>> values;
-  for (const Axis& axis : axes) {
+ParameterAxis axis_of(const ModelKind& model, const AxisText& text) {
+  const Parameter parameter = [&] {
     try {
-      varied.require_key(axis.key);
+      return require_parameter(model, text.keys);
     } catch (const InvalidArgument& e) {
       throw UsageError(fmt::format("--vary: {}", e.what()));
     }
-    keys.push_back(axis.key);
-    values.push_back(axis.values);
-  }
-  Stopwatch since;
-  double quiet = 0;
-  const auto progress = [&](Index done_cells, Index all) {
-    constexpr double seconds_between_words = 5;
-    quiet += since.lap();
-    if (quiet < seconds_between_words) return;
-    quiet = 0;
-    o.output.say(fmt::format("{} of {} cells", done_cells, all));
+  }();
+  const auto bound = [&](const std::string& end) {
+    const auto value = value_of(parameter, end);
+    if (!value) throw UsageError(fmt::format("--vary {}: '{}' is no number in SI or with a unit that fits '{}'", text.whole, end, text.keys));
+    return *value;
   };
-  return map_stability([&](const std::vector<double>& at) { return verdict_at(varied, keys, at, o); }, std::move(values), progress);
+  const double a = bound(text.from), b = bound(text.to);
+  if (!(b > a) || !std::isfinite(b - a)) throw UsageError(fmt::format("--vary {}: finite A < B was expected", text.whole));
+  ParameterAxis axis{text.keys, {}};
+  for (std::int64_t k = 0; k < text.values; ++k) axis.values.push_back(k + 1 == text.values ? b : a + (b - a) * static_cast<double>(k) / static_cast<double>(text.values - 1));
+  return axis;
+}
+
+StabilityReport asked(const ModelKind& model, const std::vector<AxisText>& texts, const Progress& progress) {
+  std::vector<ParameterAxis> axes;
+  for (const AxisText& text : texts) axes.push_back(axis_of(model, text));
+  StabilityReport report = model.stability();
+  for (const ParameterAxis& axis : axes) report.varied.push_back(axis.keys);
+  if (!axes.empty()) report.map = stability_over(model, axes, progress);
+  return report;
 }
 
 ExitCode run(const Options& o) {
-  std::vector<Axis> axes;
-  for (const std::string& text : o.vary) axes.push_back(axis_of(text));
-  if (axes.size() == 2 && axes[0].key == axes[1].key) throw UsageError(fmt::format("--vary: '{}' is given twice", axes[0].key));
-  if (axes.size() > 2) throw UsageError("--vary: one parameter, or two for a chart");
-  require_bounded(axes);
-  if (!axes.empty() && o.source.model.empty()) throw UsageError("--vary changes numbers of a model file: give one instead of --mass and --stiffness");
+  const std::vector<AxisText> axes = axes_of(o.vary);
   Job job(o.source, o.output);
-  StabilityReport report = job.answer([](const ModelKind& m) { return m.stability(); });
-  if (!axes.empty()) report.map = mapped(o, axes, report.varied);
+  const StabilityReport report = job.answer([&](const ModelKind& m) { return asked(m, axes, job.progress()); });
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
+  if (report.map && report.map->interrupted) return job.interrupted();
   if (report.result.stability != Stability::unknown) return ExitCode::done;
   o.output.say(fmt::format("the verdict is unknown: {}", report.result.coverage.reason));
   return ExitCode::not_certified;

@@ -1,4 +1,4 @@
-#include "gyromode/formats/nearest.h"
+#include "gyromode/base/nearest.h"
 #include "gyromode/base/number.h"
 #include "gyromode/base/quantity.h"
 

@@ -17,7 +17,7 @@ class String : public CountedSpectrum {
  public:
   explicit String(Index lost = 0) : lost_(lost) {}
 
-  RootRange roots(const Window& range) const override {
+  RootRange roots(const Window& range, const Progress& = {}) const override {
     RootRange r;
     for (Index k = 1; static_cast<double>(k) * pi < range.b; ++k) {
       const double omega = static_cast<double>(k) * pi;

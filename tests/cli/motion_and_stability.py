@@ -235,7 +235,7 @@ class Vary(WithFolder):
         self.refused(1, ["5m", "unit that fits 'spin'"], "stability", SPRINGS, "--vary", "spin=5m:20m:3")
         self.refused(1, ["'known.frequencies[0]'"], "stability", SPRINGS, "--vary", "known.frequencies[0]=1:2:3")
         self.refused(1, ["given twice"], "stability", SPRINGS, "--vary", "spin=1:2:3", "--vary", "spin=1:2:3")
-        self.refused(1, ["no number"], "stability", SPRINGS, "--vary", "title=1:2:3")
+        self.refused(1, ["no parameter"], "stability", SPRINGS, "--vary", "title=1:2:3")
         self.refused(1, ["100000 × 50000 = 5000000000 cells", "1000000"], "stability", SPRINGS, "--vary", "spin=1:2:100000", "--vary", "mass[0][0]=1:2:50000")
         self.refused(1, ["1001 × 1000 = 1001000 cells"], "stability", SPRINGS, "--vary", "spin=1:2:1001", "--vary", "mass[0][0]=1:2:1000")
         self.refused(1, ["two for a chart"], "stability", SPRINGS, "--vary", "spin=1:2:3", "--vary", "mass[0][0]=1:2:3", "--vary", "mass[1][1]=1:2:3")

@@ -50,8 +50,8 @@ TEST(NewKind, IsWrittenLikeAnyOther) {
 
 TEST(NewKind, SaysWhatItHasNoAnswerTo) {
   const Model m = pendulum();
-  EXPECT_THROW(m.body->response(State::rest(2), {}, {}, Vector::Zero(1)), NotApplicable);
-  EXPECT_THROW(m.body->frequency_response(Vector::Zero(2), Vector::Zero(1)), NotApplicable);
+  EXPECT_THROW(m.body->response({State::rest(2), {}, {}, Vector::Zero(1), false, {}}), NotApplicable);
+  EXPECT_THROW(m.body->frequency_response({Vector::Zero(2), Vector::Zero(1), {}}), NotApplicable);
   EXPECT_THROW(m.body->discretised(std::nullopt), NotApplicable);
   EXPECT_THROW(m.body->without_couplings(0.1), NotApplicable);
 }

@@ -69,7 +69,7 @@ TEST(Growing, NegativeEnergyHoweverSlow) {
     ASSERT_EQ(roots.negative_energy().size(), 1u) << k;
     const double middle = 0.5 * (9 - k - 0.5), x = 0.5 * k / (middle + std::sqrt(middle * middle - 0.5 * k));
     EXPECT_NEAR(roots.negative_energy()[0].omega, std::sqrt(x), (1e-14 + 64 * std::numeric_limits<double>::epsilon() / k) * std::sqrt(x)) << k;
-    EXPECT_EQ(roots.between(0, 10).size(), 2u);
+    EXPECT_EQ(roots.between(0, 10).roots.size(), 2u);
   }
 }
 

@@ -1,6 +1,7 @@
 // Where booms degenerate: no radius, no tip mass, equal stiffnesses, equal booms; high frequencies; modes at poles and pairs that nearly coincide. None is lost, none loses digits.
 #include "gyromode/appendage/hub_impedance.h"
 #include "gyromode/modes/effective_axes.h"
+#include "gyromode/modes/spacecraft_spectrum.h"
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/spacecraft/clamped_booms.h"
 

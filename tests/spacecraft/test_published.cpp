@@ -46,7 +46,7 @@ std::vector<double> roots_of_class(const Spacecraft& s, Index of, double below) 
   const CertifiedRoots roots(impedance, SpacecraftImpedance::free_coordinates(), SpacecraftImpedance::cyclic_coordinates(), 0, [](Index) { return std::nullopt; });
   EXPECT_TRUE(roots.closed());
   std::vector<double> found;
-  for (const Root& r : roots.between(0, below)) {
+  for (const Root& r : roots.between(0, below).roots) {
     const auto& c = roots.blocked().blocks[static_cast<std::size_t>(r.block)].coordinates;
     if (std::find(c.begin(), c.end(), of) != c.end()) found.push_back(r.omega);
   }

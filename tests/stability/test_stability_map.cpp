@@ -1,5 +1,7 @@
 #include "gyromode/base/error.h"
-#include "gyromode/read/varied_model.h"
+#include "gyromode/models/matrices.h"
+#include "gyromode/models/stability_over.h"
+#include "gyromode/read/read_model.h"
 #include "gyromode/models/spacecraft_model.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/spacecraft.h"
@@ -86,10 +88,8 @@ TEST(StabilityMap, GyroscopicThreshold) {
 
 // A1: the mass on three springs by its model file; thresholds √(Kx/m), √(Ky/m).
 TEST(StabilityMap, MassOnThreeSpringsFromItsFile) {
-  const io::VariedModel model(std::filesystem::path(GYROMODE_SOURCE_DIR "/models/three_springs.toml"));
-  const std::vector<std::string> keys{"spin", "stiffness[0][0]"};
-  const auto at = [&](const std::vector<double>& v) { return verdict(*model.at(keys, v).body->second_order()); };
-  const StabilityMap chart = map_stability(at, {grid(10, 1500, 100), grid(2e4, 1.5e5, 100)});
+  const Model model = io::read_model(GYROMODE_SOURCE_DIR "/models/three_springs.toml");
+  const StabilityMap chart = stability_over(*model.body, {{"spin", grid(10, 1500, 100)}, {"stiffness[0][0]", grid(2e4, 1.5e5, 100)}});
   expect_no_wrong_cell(
       chart,
       [](double spin, double kx) { return spin * spin < kx / 0.2 ? Stability::stable : spin < 1000 ? Stability::unstable : Stability::gyroscopically_stabilised; },
@@ -125,32 +125,97 @@ TEST(StabilityMap, UnlawfulCellsAreLeftBlank) {
   EXPECT_NEAR(m.critical[0].value, 1, 1e-13);
 }
 
-TEST(VariedModel, Keys) {
+TEST(Parameters, OfASpacecraft) {
   const std::string text = "kind = \"spacecraft\"\nspin = \"10 rpm\"\n[body]\nmass = 260\ninertia = [90.0, 110.0, 150.0]\n"
                            "[[cable]]\nazimuth = 0\nradius = 1\nheight = 0\nlength = \"20 m\"\nline_density = 0.002\n"
                            "[[cable]]\nazimuth = \"180 deg\"\nradius = 1\nheight = 0\nlength = 20\nline_density = 0.002\n";
-  const io::VariedModel m(text, "craft.toml");
-  for (const char* key : {"spin", "body.inertia[2]", "cable[*].length", "cable[0].length,cable[1].length", "body.mass"}) EXPECT_NO_THROW(m.require_key(key)) << key;
-  const Spacecraft craft = dynamic_cast<const SpacecraftModel&>(*m.at({"cable[*].length", "body.inertia[2]"}, {31.5, 140}).body).spacecraft();
+  const Model m = io::parse_model(text, "craft.toml");
+  for (const char* key : {"spin", "body.inertia[2]", "cable[*].length", "cable[0].length,cable[1].length", "body.mass"}) EXPECT_NO_THROW(require_parameter(*m.body, key)) << key;
+  const Spacecraft craft = dynamic_cast<const SpacecraftModel&>(*m.body->with({{"cable[*].length", 31.5}, {"body.inertia[2]", 140}})).spacecraft();
   EXPECT_EQ(craft.cables()[0].length, 31.5);
   EXPECT_EQ(craft.cables()[1].length, 31.5);
   EXPECT_EQ(craft.body().inertia(2, 2), 140);
   const auto message = [&](const std::string& key) {
     try {
-      m.require_key(key);
+      require_parameter(*m.body, key);
     } catch (const InvalidArgument& e) {
       return std::string(e.what());
     }
     return std::string("no error");
   };
-  EXPECT_EQ(message("body.intertia[2]"), "'body.intertia[2]' leads to no number in craft.toml: did you mean 'body.inertia[2]'?");
-  EXPECT_EQ(message("cable[*].lenght"), "'cable[*].lenght' leads to no number in craft.toml: did you mean 'cable[*].length'?");
+  EXPECT_EQ(message("body.intertia[2]"), "'body.intertia[2]' is no parameter of the model: did you mean 'body.inertia[2]'?");
+  EXPECT_EQ(message("cable[*].lenght"), "'cable[*].lenght' is no parameter of the model: did you mean 'cable[*].length'?");
   EXPECT_NE(message("body.inertia[3]"), "no error");
   EXPECT_NE(message("kind"), "no error");
   EXPECT_NE(message("cable[-1].length"), "no error");
   EXPECT_NE(message(""), "no error");
   EXPECT_NE(message("body..mass"), "no error");
-  EXPECT_THROW(m.at({"body.inertia[2]"}, {500}), LawBroken);  // the triangle inequality
+  EXPECT_THROW(m.body->with({{"body.inertia[2]", 500}}), LawBroken);  // the triangle inequality
+  EXPECT_THROW(m.body->with({{"body.inertia[5]", 100}}), InvalidArgument);
+}
+
+// Every parameter that a shipped model lists: set to what it is, nothing changes; set to another value, that value is read back.
+TEST(Parameters, OfEveryShippedModelAreReadBack) {
+  Index models = 0, changed = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(GYROMODE_SOURCE_DIR "/models")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++models;
+    const Model m = io::read_model(entry.path());
+    for (const Parameter& p : m.body->parameters()) {
+      ASSERT_TRUE(m.body->parameter(p.key)) << p.key;
+      EXPECT_EQ(m.body->with({{p.key, p.value}})->parameter(p.key)->value, p.value) << entry.path() << p.key;
+      try {
+        const double other = p.value == 0 ? 1e-3 : 1.0009765625 * p.value;
+        EXPECT_EQ(m.body->with({{p.key, other}})->parameter(p.key)->value, other) << entry.path() << p.key;
+        ++changed;
+      } catch (const LawBroken&) {  // one of two equal booms changed: no equilibrium
+      }
+    }
+  }
+  EXPECT_GT(models, 10);
+  EXPECT_GT(changed, 10 * models);
+}
+
+// M, G, K of a family in spin: the spin scales G₁ and K₂; one entry is its mirror image too.
+TEST(Parameters, OfMatrices) {
+  const SpinFamily family{Matrix::Identity(2, 2), turning(0.5), turning(2), diagonal(4, 9), diagonal(-1, -1), {}};
+  const MatricesModel model(family, 3);
+  const auto system = [](const std::shared_ptr<const ModelKind>& m) { return *m->second_order(); };
+  EXPECT_EQ(system(model.with({{"spin", 2}})).gyroscopic(), turning(4.5));
+  EXPECT_EQ(system(model.with({{"spin", 2}})).stiffness(), diagonal(0, 5));
+  EXPECT_EQ(system(model.with({{"stiffness[0][1]", 0.25}, {"spin", 0}})).stiffness(), (Matrix{{4, 0.25}, {0.25, 9}}));
+  EXPECT_EQ(system(model.with({{"gyroscopic[0][1]", 7}, {"spin", 0}})).gyroscopic(), (Matrix{{0, 7}, {-7, 0}}));
+  EXPECT_EQ(system(model.with({{"stiffness_per_spin2[*][*]", 0.5}})).stiffness(), (Matrix{{8.5, 4.5}, {4.5, 13.5}}));
+  EXPECT_FALSE(model.parameter("gyroscopic[0][0]"));  // 0 by the law
+  EXPECT_FALSE(model.parameter("stiffness[2][0]"));
+  EXPECT_FALSE(model.parameter("stiffness[0]"));
+  EXPECT_FALSE(MatricesModel(family.at(3)).parameter("spin"));  // nothing depends on it
+  // Without its weak couplings a model has the parameters of the whole one.
+  const auto without = model.without_couplings(0.1).first;
+  EXPECT_EQ(without->parameter("spin")->value, 3);
+  EXPECT_EQ(system(without->with({{"stiffness[0][1]", 0.25}})).stiffness(), diagonal(-5, 0));
+}
+
+TEST(Parameters, OfAFirstOrderModel) {
+  const FirstOrderModel model(FirstOrderSystem(Matrix::Identity(2, 2), turning(2)));
+  EXPECT_EQ(model.parameter("gyroscopic[1][0]")->value, -model.parameter("gyroscopic[0][1]")->value);
+  EXPECT_NEAR(model.with({{"gyroscopic[0][1]", 5}})->verdict(false).modes[0].omega, 5, 1e-14);
+  EXPECT_THROW(model.with({{"inertia[0][0]", -1}}), LawBroken);
+}
+
+TEST(StabilityMap, StoppedKeepsWhatIsKnown) {
+  Index seen = 0;
+  Progress progress;
+  progress.stop = [&] { return seen >= 7; };
+  const auto at = [&](const std::vector<double>& v) -> StabilityPoint { return ++seen, StabilityPoint{true, v[0] < 1 ? Stability::stable : Stability::unstable, {}, 0, ""}; };
+  const StabilityMap m = map_stability(at, {grid(0, 4, 5), grid(0, 1, 3)}, progress);
+  EXPECT_TRUE(m.interrupted);
+  ASSERT_EQ(m.cells.size(), 15u);
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_TRUE(m.cells[k].point.decided());
+  EXPECT_FALSE(m.cells.back().point.decided());
+  EXPECT_EQ(m.cells.back().point.reason, "interrupted");
+  EXPECT_EQ(m.cells.back().values, (std::vector<double>{4, 1}));
+  EXPECT_TRUE(m.critical.empty());  // of no finished row
 }
 
 TEST(StabilityMargin, PairAndStiffness) {

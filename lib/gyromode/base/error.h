@@ -79,7 +79,7 @@ class NotConverged : public Error {
 /// Long work ended by Progress before it had a result.
 class Interrupted : public Error {
  public:
-  explicit Interrupted(const std::string& message) : Error(ExitCode::interrupted, message) {}
+  explicit Interrupted(const std::string& message = "interrupted before anything was known") : Error(ExitCode::interrupted, message) {}
 };
 
 }  // namespace gyromode

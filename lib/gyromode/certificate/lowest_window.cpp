@@ -26,17 +26,19 @@ double far_enough(const CountedSpectrum& s, Index lowest, const Window& requeste
 
 }  // namespace
 
-Window lowest_window(const CountedSpectrum& s, Index lowest, const Window& requested) {
+FilledWindow lowest_window(const CountedSpectrum& s, Index lowest, const Window& requested, const Progress& progress) {
+  if (lowest > s.most_roots()) throw TooLarge(fmt::format("{} modes were asked for: at most {} are listed at a time; ask for windows", lowest, s.most_roots()));
   const double b = s.finite() ? requested.b : std::min(far_enough(s, lowest, requested), requested.b);
-  const std::vector<CountedRoot> all = s.roots({requested.a, b}).roots;
+  RootRange found = s.roots({requested.a, b}, progress);
+  const std::vector<CountedRoot>& all = found.roots;
   Index seen = 0;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     if (all[i].omega < requested.a) continue;
     if (!all[i].rigid_body) ++seen;
     const double from = all[i].omega + 4 * all[i].error, to = all[i + 1].omega - 4 * all[i + 1].error;
-    if (seen >= lowest && to > from) return {requested.a, std::min(0.5 * (from + to), requested.b)};
+    if (seen >= lowest && to > from) return {{requested.a, std::min(0.5 * (from + to), requested.b)}, std::move(found)};
   }
-  return {requested.a, b};
+  return {{requested.a, b}, std::move(found)};
 }
 
 }  // namespace gyromode

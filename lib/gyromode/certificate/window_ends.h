@@ -15,7 +15,14 @@ struct WindowEnds {
 /// n₋ is taken elsewhere in the gap. What cannot be had so is doubtful, and the end stays where it was.
 WindowEnds ends_of(const CountedSpectrum& s, const Window& requested);
 
-/// [a, b) with b above the `lowest`-th root from a on that is no rigid-body one, in the middle of the gap that follows; roots that coincide with it come along. Throws InvalidArgument where there are fewer within reach.
-Window lowest_window(const CountedSpectrum& s, Index lowest, const Window& requested);
+/// A window with the roots in it, and perhaps some outside.
+struct FilledWindow {
+  Window window;
+  RootRange found;
+};
+
+/// [a, b) with b above the `lowest`-th root from a on that is no rigid-body one, in the middle of the gap that follows; roots that coincide with it come along. Throws InvalidArgument where there are fewer within reach,
+/// TooLarge where more are asked for than the engine lists at a time.
+FilledWindow lowest_window(const CountedSpectrum& s, Index lowest, const Window& requested, const Progress& progress = {});
 
 }  // namespace gyromode

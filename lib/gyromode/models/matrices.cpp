@@ -41,6 +41,8 @@ double largest(const Matrix& a) { return a.cwiseAbs().maxCoeff(); }
 
 }  // namespace
 
+MatricesModel::MatricesModel(SpinFamily family, double spin) : system_(family.at(spin)), family_(std::make_shared<const SpinFamily>(std::move(family))), spin_(spin) {}
+
 ModesResult MatricesModel::modes(const ModesRequest& request) const {
   if (request.keep.empty()) return find_modes(system_, options_of(request));
   return find_modes_keeping(system_, positions_of(request.keep, labels()), options_of(request));
@@ -74,23 +76,27 @@ StructureReport MatricesModel::structure(std::optional<double> at) const {
   return r;
 }
 
-ResponseReport MatricesModel::response(const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Vector& times) const {
-  if (!points.empty()) throw InvalidArgument("--points are places on the booms of a spacecraft model");
-  const Response r(system_, initial, forces);
+ResponseReport MatricesModel::response(const MotionRequest& request) const {
+  if (!request.points.empty()) throw InvalidArgument("--points are places on the booms of a spacecraft model");
+  const Response r(system_, request.initial, request.forces);
   ResponseReport report;
   report.labels = labels();
-  add_facts(r, r, times, report);
+  add_facts(r, r, request, report);
   return report;
 }
 
-FrequencyReport MatricesModel::frequency_response(const Vector& amplitude, const Vector& grid) const { return {labels(), gyromode::frequency_response(system_, amplitude, grid)}; }
+FrequencyReport MatricesModel::frequency_response(const FrequencyRequest& request) const {
+  return {labels(), gyromode::frequency_response(system_, request.amplitude, request.grid, true, request.progress)};
+}
 
 std::vector<ModelKind::NamedMatrix> MatricesModel::matrices() const {
   return {{"M", "mass M", false, &system_.mass()}, {"G", "gyroscopic G", true, &system_.gyroscopic()}, {"K", "stiffness K", false, &system_.stiffness()}};
 }
 
 std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> MatricesModel::without_couplings(double tolerance) const {
-  return {std::make_shared<MatricesModel>(without_ignored_couplings(system_, tolerance)), ignored_couplings(system_, tolerance)};
+  auto without = std::make_shared<MatricesModel>(without_ignored_couplings(system_, tolerance));
+  without->left_out_ = {std::make_shared<const MatricesModel>(*this), tolerance};
+  return {std::move(without), ignored_couplings(system_, tolerance)};
 }
 
 ModesResult FirstOrderModel::modes(const ModesRequest& request) const {
@@ -116,7 +122,9 @@ std::vector<ModelKind::NamedMatrix> FirstOrderModel::matrices() const {
 }
 
 std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> FirstOrderModel::without_couplings(double tolerance) const {
-  return {std::make_shared<FirstOrderModel>(without_ignored_couplings(system_, tolerance)), ignored_couplings(system_, tolerance)};
+  auto without = std::make_shared<FirstOrderModel>(without_ignored_couplings(system_, tolerance));
+  without->left_out_ = {std::make_shared<const FirstOrderModel>(*this), tolerance};
+  return {std::move(without), ignored_couplings(system_, tolerance)};
 }
 
 }  // namespace gyromode

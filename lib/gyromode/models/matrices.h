@@ -1,15 +1,26 @@
 #pragma once
 
 #include "gyromode/models/model.h"
+#include "gyromode/models/matrix_parameters.h"
 #include "gyromode/system/first_order_system.h"
+#include "gyromode/system/spin_family.h"
 #include "gyromode/system/system.h"
 
 namespace gyromode {
 
-/// M q̈ + G q̇ + K q = 0.
+/// Of a model without its weak couplings: the whole one, which its parameters are those of.
+template <class Kind>
+struct CouplingsLeftOut {
+  std::shared_ptr<const Kind> whole;
+  double tolerance = 0;
+};
+
+/// M q̈ + G q̇ + K q = 0; or, of a SpinFamily, the system at one spin of it. Its parameters are the entries of the matrices, and the spin.
 class MatricesModel : public ModelKind {
  public:
   explicit MatricesModel(System system) : system_(std::move(system)) {}
+  /// Throws LawBroken.
+  MatricesModel(SpinFamily family, double spin);
 
   const System& system() const { return system_; }
   Index size() const override { return system_.size(); }
@@ -20,14 +31,22 @@ class MatricesModel : public ModelKind {
   StabilityReport stability() const override;
   StructureReport structure(std::optional<double> at) const override;
   void require_motion() const override {}
-  ResponseReport response(const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Vector& times) const override;
-  FrequencyReport frequency_response(const Vector& amplitude, const Vector& grid) const override;
+  ResponseReport response(const MotionRequest& request) const override;
+  FrequencyReport frequency_response(const FrequencyRequest& request) const override;
+  std::vector<Parameter> parameters() const override;
+  std::optional<Parameter> parameter(std::string_view key) const override;
+  std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
   const System* second_order() const override { return &system_; }
   std::vector<NamedMatrix> matrices() const override;
   std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> without_couplings(double tolerance) const override;
 
  private:
+  SpinFamily family() const;
+
   System system_;
+  std::shared_ptr<const SpinFamily> family_;  // null where nothing depends on the spin
+  double spin_ = 0;
+  CouplingsLeftOut<MatricesModel> left_out_;
 };
 
 /// I q̇ + G q = 0.
@@ -42,11 +61,15 @@ class FirstOrderModel : public ModelKind {
   ModesResult modes(const ModesRequest& request) const override;
   CountResult count(const Window& window) const override;
   StructureReport structure(std::optional<double> at) const override;
+  std::vector<Parameter> parameters() const override;
+  std::optional<Parameter> parameter(std::string_view key) const override;
+  std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
   std::vector<NamedMatrix> matrices() const override;
   std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> without_couplings(double tolerance) const override;
 
  private:
   FirstOrderSystem system_;
+  CouplingsLeftOut<FirstOrderModel> left_out_;
 };
 
 }  // namespace gyromode

@@ -21,13 +21,24 @@ StabilityReport ModelKind::stability() const {
 
 void ModelKind::require_motion() const { throw NotApplicable(fmt::format("response needs a model of second order, with displacements and velocities; this one is: {}", in_words())); }
 
-ResponseReport ModelKind::response(const State&, const std::vector<Force>&, const std::vector<BoomPoint>&, const Vector&) const {
+ResponseReport ModelKind::response(const MotionRequest&) const {
   require_motion();
   throw NotApplicable(fmt::format("no response is known of this kind of model: {}", in_words()));
 }
 
-FrequencyReport ModelKind::frequency_response(const Vector&, const Vector&) const {
+FrequencyReport ModelKind::frequency_response(const FrequencyRequest&) const {
   throw NotApplicable("--frequencies is for matrix models of second order (gyromode convert writes the matrices of a spacecraft)");
+}
+
+std::optional<Parameter> ModelKind::parameter(std::string_view key) const {
+  for (Parameter& p : parameters()) {
+    if (names(key, p.key)) return std::move(p);
+  }
+  return std::nullopt;
+}
+
+std::shared_ptr<const ModelKind> ModelKind::with(const std::vector<ParameterValue>& values) const {
+  throw InvalidArgument(fmt::format("'{}' is no parameter: this kind of model has none", values.empty() ? "" : values.front().key));
 }
 
 std::shared_ptr<const ModelKind> ModelKind::discretised(std::optional<Index>) const { throw NotApplicable("finite elements (--method discrete, --elements) serve models of parts, such as spacecraft; this one is made of matrices"); }

@@ -2,6 +2,7 @@
 
 #include "gyromode/base/labels.h"
 #include "gyromode/elements/boom_point.h"
+#include "gyromode/models/parameters.h"
 #include "gyromode/models/reports.h"
 #include "gyromode/modes/count.h"
 #include "gyromode/modes/modes.h"
@@ -20,6 +21,23 @@ struct ModesRequest {
   ModesOptions options;         ///< `method` is left at automatic: it follows from the name below
   std::string method = "auto";  ///< a name of --method; each kind knows its own
   Labels keep;                  ///< coordinates to see the modes from; empty: all
+};
+
+/// A motion over time that is asked for.
+struct MotionRequest {
+  State initial;                  ///< q and q̇ at t = 0, n each
+  std::vector<Force> forces;
+  std::vector<BoomPoint> points;  ///< places on the booms of a spacecraft whose displacement is wanted too
+  Vector times;                   ///< s, ≥ 0, ascending
+  bool rates = false;             ///< velocities are to be written as well
+  Progress progress;
+};
+
+/// A response at steady frequencies that is asked for.
+struct FrequencyRequest {
+  Vector amplitude;  ///< f of f e^{jωt}, n
+  Vector grid;       ///< rad per unit of time, ascending
+  Progress progress;
 };
 
 /// A kind of model: what it says of itself, and what it answers. Questions that a kind has no answer to throw NotApplicable, with what to use instead.
@@ -44,8 +62,15 @@ class ModelKind {
   virtual StructureReport structure(std::optional<double> at) const = 0;
   /// Throws NotApplicable unless it has displacements and velocities that move over time.
   virtual void require_motion() const;
-  virtual ResponseReport response(const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Vector& times) const;
-  virtual FrequencyReport frequency_response(const Vector& amplitude, const Vector& grid) const;
+  virtual ResponseReport response(const MotionRequest& request) const;
+  virtual FrequencyReport frequency_response(const FrequencyRequest& request) const;
+
+  /// The numbers it is made of, those worth listing; further ones may be named.
+  virtual std::vector<Parameter> parameters() const { return {}; }
+  /// The first number that a key names ([*] for every item); nothing where it names none.
+  virtual std::optional<Parameter> parameter(std::string_view key) const;
+  /// The same model with other values of its parameters. Throws LawBroken where they make none; InvalidArgument where a key names no parameter.
+  virtual std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const;
 
   /// The system of second order that the model is; null where it is none.
   virtual const System* second_order() const { return nullptr; }

@@ -1,16 +1,19 @@
 #pragma once
 
 #include "gyromode/base/error.h"
-#include "gyromode/models/reports.h"
+#include "gyromode/models/model.h"
 
 #include <fmt/format.h>
 
 namespace gyromode {
 
-/// What a motion `r` over `times` (not empty) reports; `inner` is the Response that its energies are of. Throws InvalidArgument where it grows beyond what numbers hold.
+/// What a motion `r` over times (not empty) reports; `inner` is the Response that its energies are of. Throws InvalidArgument where it grows beyond what numbers hold.
 template <class Motion>
-void add_facts(const Motion& r, const Response& inner, const Vector& times, ResponseReport& report) {
-  report.history = r.at(times);
+void add_facts(const Motion& r, const Response& inner, const MotionRequest& request, ResponseReport& report) {
+  report.history = r.at(request.times, request.progress);
+  const Vector& times = report.history.t;
+  if (times.size() == 0) throw Interrupted();
+  report.rates = request.rates;
   report.modal = r.modal();
   report.stability = inner.stability();
   report.initial_energy = inner.initial_energy();

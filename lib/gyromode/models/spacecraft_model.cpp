@@ -61,12 +61,12 @@ StructureReport SpacecraftModel::structure(std::optional<double> at) const {
   return r;
 }
 
-ResponseReport SpacecraftModel::response(const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Vector& times) const {
-  const SpacecraftResponse r(spacecraft_, initial, forces, points);
+ResponseReport SpacecraftModel::response(const MotionRequest& request) const {
+  const SpacecraftResponse r(spacecraft_, request.initial, request.forces, request.points);
   ResponseReport report;
   report.labels = r.labels();
   report.remark = fmt::format("booms as {} elements of degree {} each, {} coordinates about the mass centre, which moves by itself; booms start undeformed", r.mesh().elements, r.mesh().degree, r.coordinates());
-  add_facts(r, r.about_centre(), times, report);
+  add_facts(r, r.about_centre(), request, report);
   return report;
 }
 

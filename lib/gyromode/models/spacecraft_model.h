@@ -20,7 +20,9 @@ class SpacecraftModel : public ModelKind {
   CountResult count(const Window& window) const override;
   StructureReport structure(std::optional<double> at) const override;
   void require_motion() const override {}
-  ResponseReport response(const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Vector& times) const override;
+  ResponseReport response(const MotionRequest& request) const override;
+  std::vector<Parameter> parameters() const override;
+  std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
   std::shared_ptr<const ModelKind> discretised(std::optional<Index> elements) const override;
 
  private:

@@ -3,6 +3,8 @@
 #include "gyromode/base/error.h"
 #include "gyromode/certificate/coverage.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace gyromode {
@@ -21,6 +23,24 @@ void require_end(const CountedSpectrum& s, const Window& w, const char* what) {
   if (w.open() && !s.finite()) throw InvalidArgument(std::string("a spacecraft with exact booms has infinitely many modes: ") + what + " needed");
 }
 
+// Where work was stopped: all roots below that.
+Coverage part_of(const Window& known, const std::vector<CountedRoot>& listed, double unit) {
+  Coverage c;
+  c.status = CoverageStatus::incomplete;
+  c.window = known;
+  c.found = static_cast<Index>(listed.size());
+  c.interrupted = true;
+  c.reason = fmt::format("interrupted: modes above {:.6g} rad/s were not looked for", known.b * unit);
+  return c;
+}
+
+// Counted before they are looked for.
+void require_listable(const CountedSpectrum& s, const Window& w) {
+  if (s.finite() || s.most_roots() == std::numeric_limits<Index>::max()) return;
+  const Index inside = s.below(w.b) - s.below(w.a);
+  if (inside > s.most_roots()) throw TooLarge(fmt::format("the window holds {} modes: at most {} are listed at a time; ask for narrower ones", inside, s.most_roots()));
+}
+
 }  // namespace
 
 void require_options(const ModesOptions& options) {
@@ -32,18 +52,21 @@ ModesResult modes_of(const CountedSpectrum& s, const ModesOptions& options) {
   require_options(options);
   if (!options.lowest) require_end(s, options.window, "a window with two ends or the number of lowest ones is");
   const Window asked = in_unit_of(s, options.window);
-  const WindowEnds ends = ends_of(s, options.lowest ? lowest_window(s, *options.lowest, asked) : asked);
-  const RootRange found = s.roots(ends.window);
+  if (!options.lowest) require_listable(s, asked);
+  const FilledWindow lowest = options.lowest ? lowest_window(s, *options.lowest, asked, options.progress) : FilledWindow{};
+  const WindowEnds ends = ends_of(s, options.lowest ? lowest.window : asked);
+  const RootRange found = options.lowest ? lowest.found : s.roots(ends.window, options.progress);
+  const Window known{ends.window.a, std::min(ends.window.b, found.known_below)};
   std::vector<CountedRoot> listed;
   ModesResult r;
   s.describe(r, options.shapes);
   r.index_balance = s.balance();
-  for (const std::size_t i : inside(found.roots, ends.window)) {
+  for (const std::size_t i : inside(found.roots, known)) {
     listed.push_back(found.roots[i]);
     r.modes.push_back(found.mode(i, options.shapes));
   }
-  r.coverage = coverage_of(s, ends, listed);
-  r.coverage.window = given(s, ends.window, options.window);
+  r.coverage = known.b < ends.window.b ? part_of(known, listed, s.unit()) : coverage_of(s, ends, listed);
+  r.coverage.window = given(s, r.coverage.window, options.window);
   r.coverage.requested = options.window;
   std::sort(r.unstable.begin(), r.unstable.end(), [](const UnstableMode& a, const UnstableMode& b) { return a.growth_rate > b.growth_rate; });
   return r;

@@ -1,5 +1,6 @@
 #include "gyromode/modes/components.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
 #include "gyromode/certificate/polish.h"
 #include "gyromode/dense/refinement/own_scale.h"
@@ -13,21 +14,26 @@ namespace gyromode {
 
 namespace {
 
-SolvedComponent certified(Impedance impedance, dense::Spectrum spectrum);
-
-template <class AnySystem>
-SolvedComponent solved_component(const AnySystem& system, const Component& component, dense::Method method) {
-  Impedance impedance = dense::impedance_of(system, component, method);
-  dense::Spectrum spectrum = dense::solve(impedance, component, method);
-  return certified(std::move(impedance), std::move(spectrum));
+void go_on(const Progress& progress) {
+  if (progress.stopped()) throw Interrupted();
 }
 
 // Everything in the units of the impedance until the end.
-SolvedComponent certified(Impedance impedance, dense::Spectrum spectrum) {
+SolvedComponent certified(Impedance impedance, dense::Spectrum spectrum, const Progress& progress) {
+  go_on(progress);
   Assessment assessment = assess(impedance, spectrum);
   polish(impedance, spectrum, assessment);
+  go_on(progress);
   Verdict verdict = judge(impedance, spectrum, assessment);
   return {std::move(spectrum), std::move(impedance), std::move(assessment), std::move(verdict)};
+}
+
+template <class AnySystem>
+SolvedComponent solved_component(const AnySystem& system, const Component& component, dense::Method method, const Progress& progress) {
+  go_on(progress);
+  Impedance impedance = dense::impedance_of(system, component, method);
+  dense::Spectrum spectrum = dense::solve(impedance, component, method);
+  return certified(std::move(impedance), std::move(spectrum), progress);
 }
 
 double worst_residual(const SolvedComponent& c) {
@@ -56,8 +62,8 @@ bool better(const SolvedComponent& a, const SolvedComponent& b) { return a.verdi
 // A solver of one scale loses roots far below the largest where spin is strong or K graded and indefinite. Where the result does not convince, the general solver has a try (λ of the first-order form keeps roots that ω²
 // loses), and then, in a small system, every root is found in its own scale.
 template <class AnySystem>
-SolvedComponent best_component(const AnySystem& system, const Component& component, dense::Method method) {
-  SolvedComponent best = solved_component(system, component, method);
+SolvedComponent best_component(const AnySystem& system, const Component& component, dense::Method method, const Progress& progress) {
+  SolvedComponent best = solved_component(system, component, method, progress);
   if (method != dense::Method::automatic || convincing(best) || !best.impedance.second_order()) return best;
   constexpr Index own_scale_up_to = 48;
   if (best.impedance.size() <= own_scale_up_to) {
@@ -66,13 +72,13 @@ SolvedComponent best_component(const AnySystem& system, const Component& compone
     best.impedance.to_given(known);
     known.zero_shapes = h.own_shapes(known.zero_shapes);
     if (auto roots = dense::solve_in_own_scale(h, known)) {
-      SolvedComponent again = certified(std::move(h), std::move(*roots));
+      SolvedComponent again = certified(std::move(h), std::move(*roots), progress);
       if (better(again, best)) best = std::move(again);
     }
   }
   const bool by_partition = component.quadrature() || component.hidden_quadrature();
   if (convincing(best) || (best.spectrum.stiffness_negative == 0 && component.quadrature()) || !by_partition) return best;
-  SolvedComponent again = solved_component(system, component, dense::Method::general);
+  SolvedComponent again = solved_component(system, component, dense::Method::general, progress);
   if (!better(again, best)) return best;
   again.spectrum.solver += " (quadrature solver did not convince)";
   return again;
@@ -88,13 +94,21 @@ Structure structure_for(const System& system, dense::Method method) { return ana
 Structure structure_for(const FirstOrderSystem& system, dense::Method) { return analyse(system); }
 
 template <class AnySystem>
-SolvedSystem solved(const AnySystem& system, dense::Method method) {
+SolvedSystem solved(const AnySystem& system, dense::Method method, const Progress& progress) {
   SolvedSystem s;
   s.structure = structure_for(system, method);
   s.size = system.size();
+  const Index all = static_cast<Index>(s.structure.components.size());
   for (const Component& component : s.structure.components) {
-    s.components.push_back(best_component(system, component, method));
+    try {
+      s.components.push_back(best_component(system, component, method, progress));
+    } catch (const Interrupted&) {
+      if (s.components.empty()) throw;
+      s.interrupted = true;
+      break;
+    }
     to_given_units(s.components.back());
+    progress.report("components", static_cast<Index>(s.components.size()), all);
   }
   return s;
 }
@@ -125,16 +139,16 @@ bool opposite_roots_coincide(const SolvedSystem& s) {
 
 }  // namespace
 
-SolvedSystem solve_components(const System& system, dense::Method method) { return solved(system, method); }
+SolvedSystem solve_components(const System& system, dense::Method method, const Progress& progress) { return solved(system, method, progress); }
 
-SolvedSystem solve_components(const FirstOrderSystem& system, dense::Method method) {
-  SolvedSystem s = solved(system, method);
+SolvedSystem solve_components(const FirstOrderSystem& system, dense::Method method, const Progress& progress) {
+  SolvedSystem s = solved(system, method, progress);
   s.first_order = true;
   return s;
 }
 
 Stability SolvedSystem::stability() const {
-  Stability worst = Stability::stable;
+  Stability worst = interrupted ? Stability::unknown : Stability::stable;
   for (const SolvedComponent& c : components) worst = std::max(worst, c.verdict.stability);
   if (worst < Stability::marginal && opposite_roots_coincide(*this)) return Stability::marginal;
   return worst;
@@ -143,10 +157,12 @@ Stability SolvedSystem::stability() const {
 IndexBalance SolvedSystem::index_balance() const {
   IndexBalance sum;
   for (const SolvedComponent& c : components) sum += c.verdict.balance;
+  sum.closed = sum.closed && !interrupted;
   return sum;
 }
 
 std::string SolvedSystem::open_reason() const {
+  if (interrupted) return fmt::format("interrupted: {} of {} components were solved", components.size(), structure.components.size());
   for (const SolvedComponent& c : components) {
     if (!c.verdict.balance.closed) return c.verdict.reason;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/base/progress.h"
 #include "gyromode/certificate/verdict.h"
 #include "gyromode/dense/solve.h"
 #include "gyromode/spectrum/result.h"
@@ -22,6 +23,7 @@ struct SolvedSystem {
   Index size = 0;
   bool first_order = false;
   std::vector<SolvedComponent> components;
+  bool interrupted = false;  ///< work was stopped: further components were not solved, and the balance is open
 
   /// The worst component's; marginal, too, where roots of opposite energy sign of two components that K does not hold coincide: the least coupling may make
   /// them flutter.
@@ -37,7 +39,8 @@ struct SolvedSystem {
   Index negative_at_zero() const;
 };
 
-SolvedSystem solve_components(const System& system, dense::Method method);
-SolvedSystem solve_components(const FirstOrderSystem& system, dense::Method method);
+/// All components; `progress` is told "components". Throws Interrupted where it stops before the first is solved.
+SolvedSystem solve_components(const System& system, dense::Method method, const Progress& progress = {});
+SolvedSystem solve_components(const FirstOrderSystem& system, dense::Method method, const Progress& progress = {});
 
 }  // namespace gyromode

@@ -1,6 +1,7 @@
 #include "gyromode/modes/effective_axes.h"
 
 #include "gyromode/modes/answer.h"
+#include "gyromode/modes/spacecraft_spectrum.h"
 #include "gyromode/structure/realify.h"
 
 namespace gyromode {

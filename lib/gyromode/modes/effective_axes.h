@@ -1,10 +1,12 @@
 #pragma once
 
-#include "gyromode/modes/spacecraft_spectrum.h"
+#include "gyromode/base/types.h"
 
 #include <vector>
 
 namespace gyromode {
+
+class SpacecraftSpectrum;
 
 /// Of a mode, the angle from axis 1 to the axis of the body about which, at its frequency, rotations are in phase and rotations across it in quadrature: principal axes of the effective inertia of hub
 /// and booms (Boland & Janssens 1979, Fig. 4, Eq. 19).

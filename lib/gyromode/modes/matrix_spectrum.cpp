@@ -58,7 +58,7 @@ void MatrixSpectrum::sort() {
   places_ = std::move(places);
 }
 
-RootRange MatrixSpectrum::roots(const Window&) const {
+RootRange MatrixSpectrum::roots(const Window&, const Progress&) const {
   return {roots_, [this](std::size_t root, bool with_shape) { return mode(root, with_shape); }};
 }
 
@@ -124,6 +124,7 @@ void MatrixSpectrum::describe(ModesResult& r, bool with_shapes) const {
   r.structure = solved_.structure;
   r.stiffness = solved_.stiffness();
   r.solver = solved_.solver();
+  r.coverage.interrupted = solved_.interrupted;
   r.first_order = solved_.first_order;
   r.stability = solved_.stability();
   r.opposite_gap = infinity;

@@ -13,7 +13,7 @@ class MatrixSpectrum : public CountedSpectrum {
   MatrixSpectrum& operator=(const MatrixSpectrum&) = delete;
 
   const std::vector<CountedRoot>* all_roots() const override { return &roots_; }
-  RootRange roots(const Window& range) const override;
+  RootRange roots(const Window& range, const Progress& progress = {}) const override;
   double above_all() const override;
   Index below(double omega) const override;
   Index missed_by_signs(const Window& range) const override;

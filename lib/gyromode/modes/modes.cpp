@@ -7,12 +7,12 @@ namespace gyromode {
 
 ModesResult find_modes(const System& system, const ModesOptions& options) {
   require_options(options);
-  return modes_of(MatrixSpectrum(solve_components(system, options.method)), options);
+  return modes_of(MatrixSpectrum(solve_components(system, options.method, options.progress)), options);
 }
 
 ModesResult find_modes(const FirstOrderSystem& system, const ModesOptions& options) {
   require_options(options);
-  return modes_of(MatrixSpectrum(solve_components(system, options.method)), options);
+  return modes_of(MatrixSpectrum(solve_components(system, options.method, options.progress)), options);
 }
 
 }  // namespace gyromode

@@ -80,18 +80,15 @@ Index SpacecraftSpectrum::zero_roots() const {
 }
 
 // Roots in a little more than the range, so that what stands on an end is seen; the tilt among them exactly at Ω.
-std::vector<Root> SpacecraftSpectrum::with_tilt(const Window& range) const {
+RootRange SpacecraftSpectrum::roots(const Window& range, const Progress& progress) const {
   constexpr double margin = 1e-9;
   const double b = range.open() ? std::max(above_all(), 2 * range.a) : range.b;
-  std::vector<Root> all = roots_.between(range.a * (1 - margin), b * (1 + margin));
-  name_tilt(all);
-  return all;
-}
-
-RootRange SpacecraftSpectrum::roots(const Window& range) const {
-  const auto found = std::make_shared<const std::vector<Root>>(with_tilt(range));
+  RootsBetween between = roots_.between(range.a * (1 - margin), b * (1 + margin), progress);
+  name_tilt(between.roots);
+  const auto found = std::make_shared<const std::vector<Root>>(std::move(between.roots));
   const std::size_t zeros = range.a == 0 ? static_cast<std::size_t>(zero_roots()) : 0;
   RootRange r;
+  r.known_below = between.known_below;
   r.roots.assign(zeros, {0, 0, 0, true, true, ""});
   for (const Root& root : *found) r.roots.push_back({root.omega, open_error(root), root.energy_sign, false, root.rigid, doubt_of(root, unit())});
   r.mode = [this, found, zeros](std::size_t i, bool with_shape) { return i < zeros ? zero_mode(i, with_shape) : mode_of(*this, (*found)[i - zeros], with_shape); };
@@ -140,7 +137,7 @@ double SpacecraftSpectrum::gap_of_opposite_signs() const {
   double gap = infinity;
   for (const Root& negative : roots_.negative_energy()) {
     constexpr double around = 0.5;
-    for (const Root& r : roots_.between((1 - around) * negative.omega, (1 + around) * negative.omega)) {
+    for (const Root& r : roots_.between((1 - around) * negative.omega, (1 + around) * negative.omega).roots) {
       if (r.block == negative.block && r.energy_sign > 0) gap = std::min(gap, std::abs(r.omega / negative.omega - 1));
     }
   }

@@ -21,12 +21,13 @@ class SpacecraftSpectrum : public CountedSpectrum {
   const Spacecraft& spacecraft() const { return spacecraft_; }
 
   double unit() const override { return impedance_.unit_frequency(); }
-  RootRange roots(const Window& range) const override;
+  RootRange roots(const Window& range, const Progress& progress = {}) const override;
   bool finite() const override { return !impedance_.continuous(); }
   /// There J has counted each coordinate. Throws InvalidArgument where numbers do not reach so far.
   double above_all() const override;
   double reach() const override { return spacecraft_.cables().empty() ? infinity : farthest_over_spin; }
   std::string reach_reason() const override;
+  Index most_roots() const override { return 20000; }  // the time goes with their square: minutes
   Index below(double omega) const override { return roots_.below(omega); }
   Index missed_by_signs(const Window& range) const override;
   /// Pairs of zero roots: spin phase, axial translation, neutral patterns of wires on the axis.
@@ -39,7 +40,6 @@ class SpacecraftSpectrum : public CountedSpectrum {
   void describe(ModesResult& result, bool with_shapes) const override;
 
  private:
-  std::vector<Root> with_tilt(const Window& range) const;
   double gap_of_opposite_signs() const;
   Stability stability() const;
   std::string solver() const;

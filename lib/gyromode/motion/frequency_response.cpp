@@ -77,12 +77,18 @@ std::vector<double> FrequencyResponse::resonances() const {
   return all;
 }
 
-FrequencyResponse frequency_response(const System& system, const Vector& force, const Vector& grid, bool resolve) {
+FrequencyResponse frequency_response(const System& system, const Vector& force, const Vector& grid, bool resolve, const Progress& progress) {
   require(force, grid, system.size());
   FrequencyResponse r;
   if (grid.size() == 0) return r;
   r.modes = modes_in(system, force, grid);
-  for (const double omega : grid) r.points.push_back(point(system, force, omega, r.modes));
+  for (const double omega : grid) {
+    r.interrupted = r.interrupted || progress.stopped();
+    if (r.interrupted) break;
+    r.points.push_back(point(system, force, omega, r.modes));
+    progress.report("frequencies", static_cast<Index>(r.points.size()), grid.size());
+  }
+  if (r.interrupted) return r;
   for (const DrivenMode& m : r.modes) {
     if (resolve && m.driven == Driven::yes && m.omega > 0) show(m, system, force, grid, r);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/base/progress.h"
 #include "gyromode/motion/driven_modes.h"
 
 #include <optional>
@@ -21,13 +22,15 @@ struct FrequencyPoint {
 struct FrequencyResponse {
   std::vector<FrequencyPoint> points;  ///< ascending in ω
   std::vector<DrivenMode> modes;       ///< those in the range of the grid, driven or not
+  bool interrupted = false;            ///< work was stopped: frequencies of the grid from some on are left out
 
   std::vector<double> resonances() const;  ///< frequencies of the modes that the force drives, however weakly
 };
 
 /// H(ω)⁻¹f on a grid (ascending, ω ≥ 0, rad per unit of time), by one factorisation a point. With `resolve` points at ω_s(1 ± 10⁻²) … ω_s(1 ± 10⁻⁵) are put beside every mode ω_s in range that the
 /// force drives.
+/// `progress` is told "frequencies".
 /// Throws InvalidArgument where sizes do not fit, the grid does not ascend, or a number is not finite.
-FrequencyResponse frequency_response(const System& system, const Vector& force, const Vector& grid, bool resolve = true);
+FrequencyResponse frequency_response(const System& system, const Vector& force, const Vector& grid, bool resolve = true, const Progress& progress = {});
 
 }  // namespace gyromode

@@ -86,7 +86,7 @@ State Response::at(double t) const {
   return {w.q.cwiseProduct(units_.scale), w.qdot.cwiseProduct(units_.scale)};
 }
 
-History Response::at(const Vector& times) const { return history_of(*this, units_.scale.size(), times); }
+History Response::at(const Vector& times, const Progress& progress) const { return history_of(*this, units_.scale.size(), times, progress); }
 
 double Response::energy(const State& w) const { return energy_of(in_units(w), units_.system.mass(), units_.system.stiffness()); }
 

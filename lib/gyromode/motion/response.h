@@ -27,12 +27,18 @@ struct ModalShare {
 struct History {
   Vector t;
   Matrix q, qdot;
+  bool interrupted = false;  ///< work was stopped: the times that were asked for beyond the last are left out
 };
-/// Of anything that has at(t).
+/// Of anything that has at(t). `progress` is told "times".
 template <class Motion>
-History history_of(const Motion& motion, Index coordinates, const Vector& times) {
+History history_of(const Motion& motion, Index coordinates, const Vector& times, const Progress& progress) {
   History h{times, Matrix(coordinates, times.size()), Matrix(coordinates, times.size())};
   for (Index k = 0; k < times.size(); ++k) {
+    if (progress.stopped()) {
+      h = {Vector(times.head(k)), Matrix(h.q.leftCols(k)), Matrix(h.qdot.leftCols(k)), true};
+      break;
+    }
+    progress.report("times", k, times.size());
     const State w = motion.at(times(k));
     h.q.col(k) = w.q;
     h.qdot.col(k) = w.qdot;
@@ -50,7 +56,7 @@ class Response {
   Response(Response&&) noexcept;
 
   State at(double t) const;
-  History at(const Vector& times) const;
+  History at(const Vector& times, const Progress& progress = {}) const;
 
   /// Of the motion that starts at t = 0⁺ (impulses included), ascending in ω; without steps and harmonic forces.
   const std::vector<ModalShare>& modal() const { return modal_; }

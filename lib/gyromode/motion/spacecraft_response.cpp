@@ -106,6 +106,6 @@ State SpacecraftResponse::at(double t) const {
   return w;
 }
 
-History SpacecraftResponse::at(const Vector& times) const { return history_of(*this, outputs_.rows(), times); }
+History SpacecraftResponse::at(const Vector& times, const Progress& progress) const { return history_of(*this, outputs_.rows(), times, progress); }
 
 }  // namespace gyromode

@@ -20,7 +20,7 @@ class SpacecraftResponse {
   /// zeta1 … theta3, then x, y, z of every point.
   const Labels& labels() const { return labels_; }
   State at(double t) const;
-  History at(const Vector& times) const;
+  History at(const Vector& times, const Progress& progress = {}) const;
   /// Of body and booms about the mass centre; shapes in the order of labels().
   const std::vector<ModalShare>& modal() const { return modal_; }
   const Response& about_centre() const { return about_centre_; }

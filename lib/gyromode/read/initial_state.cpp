@@ -3,7 +3,7 @@
 #include "gyromode/base/labels.h"
 #include "gyromode/formats/csv.h"
 #include "gyromode/base/error.h"
-#include "gyromode/formats/nearest.h"
+#include "gyromode/base/nearest.h"
 #include "gyromode/base/number.h"
 #include "gyromode/formats/text_file.h"
 

@@ -77,11 +77,10 @@ std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, std::
   if (!spin && per_spin2) table.fail("stiffness_per_spin2", "'stiffness_per_spin2' needs 'spin' = a frequency");
   if (!stiffness && !per_spin2) table.fail("key 'stiffness' is missing: a Matrix Market file or rows of numbers was expected");
   require_fitting_labels(table, labels, n);
-  Matrix g = gyroscopic.value_or(Matrix::Zero(n, n));
-  Matrix k = stiffness.value_or(Matrix::Zero(n, n));
-  if (per_spin) g += *spin * *per_spin;
-  if (per_spin2) k += *spin * *spin * *per_spin2;
-  return std::make_shared<MatricesModel>(System(std::move(mass), std::move(g), std::move(k), std::move(labels)));
+  Matrix g = gyroscopic ? std::move(*gyroscopic) : Matrix::Zero(n, n);
+  Matrix k = stiffness ? std::move(*stiffness) : Matrix::Zero(n, n);
+  if (!spin) return std::make_shared<MatricesModel>(System(std::move(mass), std::move(g), std::move(k), std::move(labels)));
+  return std::make_shared<MatricesModel>(SpinFamily{std::move(mass), std::move(g), per_spin.value_or(Matrix()), std::move(k), per_spin2.value_or(Matrix()), std::move(labels)}, *spin);
 }
 
 std::shared_ptr<const ModelKind> read_first_order(const TomlTable& table, std::optional<double>&, Digest& digest) {

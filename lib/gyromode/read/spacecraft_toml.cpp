@@ -1,7 +1,10 @@
 #include "gyromode/read/spacecraft_toml.h"
 
+#include "gyromode/spacecraft/part_numbers.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -10,21 +13,10 @@ namespace gyromode::io {
 namespace {
 
 constexpr std::array<std::string_view, 9> spacecraft_keys{"kind", "title", "reference", "known", "spin", "body", "cable", "beam", "spring_mass"};
-constexpr std::array<std::string_view, 2> body_keys{"mass", "inertia"};
-constexpr std::array<std::string_view, 6> cable_keys{"azimuth", "radius", "height", "length", "line_density", "tip_mass"};
-constexpr std::array<std::string_view, 6> beam_keys{"root", "direction", "length", "line_density", "bending_stiffness", "tip_mass"};
-constexpr std::array<std::string_view, 3> spring_mass_keys{"position", "mass", "stiffness"};
-
 double required(const TomlTable& t, std::string_view key, Dimension d) {
   const auto value = t.quantity(key, d);
   if (!value) t.fail(fmt::format("key '{}' is missing: {} was expected", key, form_of(d)));
   return *value;
-}
-
-Eigen::Vector3d required_vector(const TomlTable& t, std::string_view key, Dimension d, bool infinite = false) {
-  const std::vector<double> v = t.quantities(key, d, 3, infinite);
-  if (v.empty()) t.fail(fmt::format("key '{}' is missing: three values were expected, each {}", key, form_of(d)));
-  return {v[0], v[1], v[2]};
 }
 
 template <class Part>
@@ -33,35 +25,18 @@ Part checked(const TomlTable& t, Part part) {
   return part;
 }
 
-Body read_body(const TomlTable& t) {
-  t.allow_only(body_keys);
-  const auto inertia = t.diagonal_or_matrix("inertia", Dimension::inertia, 3);
-  if (!inertia) t.fail("key 'inertia' is missing: three principal moments in kg m², or a 3 × 3 matrix, were expected");
-  return checked(t, Body{required(t, "mass", Dimension::mass), *inertia});
-}
-
-Cable read_cable(const TomlTable& t) {
-  t.allow_only(cable_keys);
-  Cable c;
-  c.azimuth = required(t, "azimuth", Dimension::angle);
-  c.radius = required(t, "radius", Dimension::length);
-  c.height = t.quantity("height", Dimension::length).value_or(0);
-  c.length = required(t, "length", Dimension::length);
-  c.line_density = required(t, "line_density", Dimension::line_density);
-  c.tip_mass = t.quantity("tip_mass", Dimension::mass).value_or(0);
-  return checked(t, c);
-}
-
 // Only booms along the spin axis: there the centrifugal force does not load them.
-Beam read_beam(const TomlTable& t) {
-  t.allow_only(beam_keys);
-  Beam b;
-  const Eigen::Vector3d root = required_vector(t, "root", Dimension::length);
-  if (root(0) != 0 || root(1) != 0) {
-    t.break_law("root", fmt::format("'root' of a beam must be on axis 3, [0, 0, z]: it is [{:.6g}, {:.6g}, {:.6g}]; off the axis the centrifugal force bends a boom while it spins steadily", root(0),
-                                    root(1), root(2)));
+double height_on_axis_3(const TomlTable& t, std::string_view key, Dimension dimension) {
+  const std::vector<double> at = t.quantities(key, dimension, 3);
+  if (at.empty()) t.fail(fmt::format("key '{}' is missing: three values were expected, each {}", key, form_of(dimension)));
+  if (at[0] != 0 || at[1] != 0) {
+    t.break_law(key, fmt::format("'{}' of a beam must be on axis 3, [0, 0, z]: it is [{:.6g}, {:.6g}, {:.6g}]; off the axis the centrifugal force bends a boom while it spins steadily", key, at[0],
+                                 at[1], at[2]));
   }
-  b.root_height = root(2);
+  return at[2];
+}
+
+bool upward(const TomlTable& t) {
   const std::vector<double> way = t.numbers("direction");
   if (way.size() != 3) t.fail(way.empty() ? "key 'direction' is missing: [0, 0, 1] or [0, 0, -1] was expected" : "'direction' needs three numbers: [0, 0, 1] or [0, 0, -1]");
   if (way[0] != 0 || way[1] != 0 || std::abs(way[2]) != 1) {
@@ -69,20 +44,44 @@ Beam read_beam(const TomlTable& t) {
                                          "which the exact field of this version does not have",
                                          way[0], way[1], way[2]));
   }
-  b.upward = way[2] > 0;
-  b.length = required(t, "length", Dimension::length);
-  b.line_density = required(t, "line_density", Dimension::line_density);
-  const std::vector<double> stiffness = t.quantities("bending_stiffness", Dimension::bending_stiffness, 2);
-  if (stiffness.empty()) t.fail("key 'bending_stiffness' is missing: two values in N m² were expected, for motion along axes 1 and 2");
-  b.bending_stiffness[0] = stiffness[0];
-  b.bending_stiffness[1] = stiffness[1];
-  b.tip_mass = t.quantity("tip_mass", Dimension::mass).value_or(0);
-  return checked(t, b);
+  return way[2] > 0;
 }
 
-SpringMass read_spring_mass(const TomlTable& t) {
-  t.allow_only(spring_mass_keys);
-  return checked(t, SpringMass{required_vector(t, "position", Dimension::length), required(t, "mass", Dimension::mass), required_vector(t, "stiffness", Dimension::stiffness, true)});
+void read_several(const TomlTable& t, const NumberKey& k, std::span<double> to) {
+  const std::vector<double> values = t.quantities(k.key, k.dimension, to.size(), k.form == NumberKey::Form::several_or_infinite);
+  if (values.empty()) t.fail(fmt::format("key '{}' is missing: {} values were expected, each {}", k.key, to.size() == 2 ? "two" : "three", form_of(k.dimension)));
+  std::copy(values.begin(), values.end(), to.begin());
+}
+
+// The numbers of a part from its table, which has no other keys but `more`.
+template <class Part>
+Part read_part(const TomlTable& t, std::initializer_list<std::string_view> more = {}) {
+  Part part;
+  std::vector<std::string_view> keys(more);
+  each_number(part, [&](const NumberKey& k, std::span<double>) { keys.push_back(k.key); });
+  t.allow_only(keys);
+  each_number(part, [&](const NumberKey& k, std::span<double> to) {
+    switch (k.form) {
+      case NumberKey::Form::one: to[0] = required(t, k.key, k.dimension); break;
+      case NumberKey::Form::one_or_zero: to[0] = t.quantity(k.key, k.dimension).value_or(0); break;
+      case NumberKey::Form::on_axis_3: to[0] = height_on_axis_3(t, k.key, k.dimension); break;
+      case NumberKey::Form::several:
+      case NumberKey::Form::several_or_infinite: read_several(t, k, to); break;
+      case NumberKey::Form::symmetric: {
+        const auto inertia = t.diagonal_or_matrix(k.key, k.dimension, 3);
+        if (!inertia) t.fail(fmt::format("key '{}' is missing: three principal moments in kg m², or a 3 × 3 matrix, were expected", k.key));
+        Eigen::Map<Matrix>(to.data(), 3, 3) = *inertia;
+      }
+    }
+  });
+  return part;
+}
+
+Beam read_beam(const TomlTable& t) {
+  const bool up = upward(t);
+  Beam b = read_part<Beam>(t, {"direction"});
+  b.upward = up;
+  return b;
 }
 
 }  // namespace
@@ -93,16 +92,16 @@ Spacecraft read_spacecraft(const TomlTable& table) {
   const auto body = table.table("body");
   if (!body) table.fail("table [body] is missing: the rigid central body, with mass and inertia, was expected");
   std::vector<Cable> cables;
-  for (const TomlTable& t : table.tables("cable")) cables.push_back(read_cable(t));
+  for (const TomlTable& t : table.tables("cable")) cables.push_back(checked(t, read_part<Cable>(t)));
   std::vector<Beam> beams;
-  for (const TomlTable& t : table.tables("beam")) beams.push_back(read_beam(t));
+  for (const TomlTable& t : table.tables("beam")) beams.push_back(checked(t, read_beam(t)));
   std::vector<SpringMass> masses;
-  for (const TomlTable& t : table.tables("spring_mass")) masses.push_back(read_spring_mass(t));
+  for (const TomlTable& t : table.tables("spring_mass")) masses.push_back(checked(t, read_part<SpringMass>(t)));
   if (!(spin > 0)) {
     table.break_law("spin", fmt::format("'spin' must be above 0: it is {:.6g} rad/s{}", spin,
                                         spin < 0 ? " (for the other sense of rotation turn axis 3 around)" : cables.empty() ? "" : ", and without it no cable is taut"));
   }
-  return Spacecraft(spin, read_body(*body), std::move(cables), std::move(beams), std::move(masses));
+  return Spacecraft(spin, checked(*body, read_part<Body>(*body)), std::move(cables), std::move(beams), std::move(masses));
 }
 
 }  // namespace gyromode::io

@@ -2,7 +2,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/formats/matrix_market.h"
-#include "gyromode/formats/nearest.h"
+#include "gyromode/base/nearest.h"
 #include "gyromode/formats/text_file.h"
 #include "gyromode/read/toml_text.h"
 #include "gyromode/system/laws.h"

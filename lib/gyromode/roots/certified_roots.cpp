@@ -89,14 +89,24 @@ Index CertifiedRoots::growing_count(Index block, double omega, Index count) cons
   return count + 2 * passed;
 }
 
-std::vector<Root> CertifiedRoots::between(double a, double b) const {
+RootsBetween CertifiedRoots::between(double a, double b, const Progress& progress) const {
   const MonotoneCount growing = [this](Index block, double omega, Index count) { return growing_count(block, omega, count); };
-  std::vector<Root> roots;
-  for (const Bracket& bracket : isolate(blocked_, a, b, growing)) {
+  RootsBetween found;
+  std::vector<Root>& roots = found.roots;
+  const Index all = progress.tell ? below(b) - below(a) : 0;
+  const bool done = isolate(blocked_, a, b, growing, [&](const Bracket& bracket) {
+    if (progress.stopped()) {
+      found.known_below = bracket.lo;
+      return false;
+    }
     for (Root& r : converge(blocked_, bracket)) roots.push_back(std::move(r));
-  }
+    progress.report("modes", static_cast<Index>(roots.size()), all);
+    return true;
+  });
+  // Brackets come by their lower ends, and one of another block may reach beyond: what is above the place of stopping is not all.
+  if (!done) std::erase_if(roots, [&](const Root& r) { return r.omega >= found.known_below; });
   std::stable_sort(roots.begin(), roots.end(), [](const Root& x, const Root& y) { return x.omega < y.omega; });
-  return roots;
+  return found;
 }
 
 Index CertifiedRoots::below(double omega) const {
@@ -108,8 +118,6 @@ Index CertifiedRoots::below(double omega) const {
   }
   return sum;
 }
-
-Index CertifiedRoots::count(double a, double b) const { return below(b) - below(a); }
 
 Inertia CertifiedRoots::inertia_at(double omega) const {
   const Lifted lifted = blocked_.impedance.at(omega);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/base/progress.h"
 #include "gyromode/roots/converge.h"
 #include "gyromode/roots/divergence.h"
 #include "gyromode/roots/static_count.h"
@@ -14,6 +15,12 @@ namespace gyromode {
 struct Seeds {
   std::vector<double> negative_energy;  ///< ω
   std::vector<Complex> growing;         ///< λ, positive real part, ω ≥ 0
+};
+
+/// The roots of a range, ascending.
+struct RootsBetween {
+  std::vector<Root> roots;
+  double known_below = infinity;  ///< of work that was stopped: all roots below are known
 };
 
 /// The roots of an impedance with the proof that none is missing.
@@ -38,10 +45,8 @@ class CertifiedRoots {
   const std::vector<UnstableRoot>& growing() const { return growing_; }
   const std::vector<Root>& negative_energy() const { return negative_; }  ///< ascending
 
-  /// All roots in [a, b), ascending, copies as entries of their own.
-  std::vector<Root> between(double a, double b) const;
-  /// How many roots [a, b) holds by the growing count, copies counted; meaningful where closed().
-  Index count(double a, double b) const;
+  /// All roots in [a, b), ascending, copies as entries of their own. `progress` is told "modes"; where it stops, those from some frequency on are left out.
+  RootsBetween between(double a, double b, const Progress& progress = {}) const;
   /// Growing count at ω over all blocks and copies, less that at 0⁺.
   Index below(double omega) const;
   /// J(ω) over all blocks and copies; doubtful where a root is so near ω that the count is not beyond doubt.

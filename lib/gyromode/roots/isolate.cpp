@@ -60,8 +60,7 @@ double crossing(const BlockState& state, Index count_lo, Index change) {
   return change < 0 ? -value : value;
 }
 
-std::vector<Bracket> isolate(const BlockedImpedance& h, double a, double b, const MonotoneCount& growing) {
-  std::vector<Bracket> found;
+bool isolate(const BlockedImpedance& h, double a, double b, const MonotoneCount& growing, const std::function<bool(const Bracket&)>& found) {
   std::vector<Interval> open{{state_at(h, a, growing), state_at(h, b, growing)}};
   while (!open.empty()) {
     const Interval i = std::move(open.back());
@@ -87,11 +86,11 @@ std::vector<Bracket> isolate(const BlockedImpedance& h, double a, double b, cons
       const Index roots = i.b.count[k] - i.a.count[k];
       if (roots <= 0) continue;
       const Index change = i.b.plain[k] - i.a.plain[k];
-      found.push_back({static_cast<Index>(k), i.a.omega, i.b.omega, roots, i.a.plain[k], change, crossing(i.a.block[k], i.a.plain[k], change),
-                       crossing(i.b.block[k], i.a.plain[k], change)});
+      const Bracket bracket{static_cast<Index>(k), i.a.omega, i.b.omega, roots, i.a.plain[k], change, crossing(i.a.block[k], i.a.plain[k], change), crossing(i.b.block[k], i.a.plain[k], change)};
+      if (!found(bracket)) return false;
     }
   }
-  return found;
+  return true;
 }
 
 }  // namespace gyromode

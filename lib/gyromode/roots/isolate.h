@@ -35,7 +35,8 @@ struct Bracket {
 double crossing(const BlockState& state, Index count_lo, Index change);
 Index crossing_position(const BlockState& state, Index count_lo, Index change);
 
-/// Bisection of the count until every bracket holds one root, or neighbours that rounding does not tell apart.
-std::vector<Bracket> isolate(const BlockedImpedance& h, double a, double b, const MonotoneCount& growing);
+/// Bisection of the count until every bracket holds one root, or neighbours that rounding does not tell apart. Brackets are handed over as they are found, their lower ends never falling, until one is answered with false;
+/// then the result is false.
+bool isolate(const BlockedImpedance& h, double a, double b, const MonotoneCount& growing, const std::function<bool(const Bracket&)>& found);
 
 }  // namespace gyromode

@@ -58,10 +58,11 @@ std::vector<double> lowest(const Appendage& appendage, double spin, Index of, In
   constexpr double highest = 1e4;  // spins: a rigid direction has no more
   for (double top = 4 * spin; top < highest * spin && static_cast<Index>(found.size()) < count; top *= 4) {
     found.clear();
-    for (const Bracket& b : isolate(blocked, 0, top, as_counted)) {
+    isolate(blocked, 0, top, as_counted, [&](const Bracket& b) {
       const auto& c = blocked.blocks[static_cast<std::size_t>(b.block)].coordinates;
       if (std::find(c.begin(), c.end(), of) != c.end()) found.push_back(converge(blocked, b).front().omega);
-    }
+      return true;
+    });
   }
   std::sort(found.begin(), found.end());
   found.resize(std::min(found.size(), static_cast<std::size_t>(count)));

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "gyromode/base/progress.h"
 #include "gyromode/spectrum/inertia.h"
 #include "gyromode/spectrum/result.h"
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,7 @@ struct CountedRoot {
 struct RootRange {
   std::vector<CountedRoot> roots;
   std::function<Mode(std::size_t root, bool with_shape)> mode;  ///< frequencies in rad per unit of time
+  double known_below = infinity;  ///< work was stopped: roots from here on are not all known
 };
 
 /// What every engine leaves: the roots of a model with counts that are independent of them. Windows, their ends, the lowest so many, coverage, counts and results are made of this and nothing else (certificate/, modes/).
@@ -37,13 +40,15 @@ class CountedSpectrum {
   /// All roots, ascending, of an engine that finds them at once; null where roots are found by ranges.
   virtual const std::vector<CountedRoot>* all_roots() const { return nullptr; }
   /// The roots of [a, b), and perhaps some outside, zero roots too where a = 0. b may be infinite where there are finitely many.
-  virtual RootRange roots(const Window& range) const = 0;
+  virtual RootRange roots(const Window& range, const Progress& progress = {}) const = 0;
   /// Whether there are finitely many; and then a frequency above all of them, where −ω²M has taken over.
   virtual bool finite() const { return true; }
   virtual double above_all() const = 0;
   /// Roots are followed no farther than this; `reach_reason` says why, for people.
   virtual double reach() const { return infinity; }
   virtual std::string reach_reason() const { return ""; }
+  /// More roots than this are not listed at a time.
+  virtual Index most_roots() const { return std::numeric_limits<Index>::max(); }
   /// How many roots are in (0, ω), by counts where roots are found by ranges.
   virtual Index below(double omega) const = 0;
   /// How many more roots a range holds than n₋ changes by: two for every one of negative energy that is known, one for each of an undecided pair (one + and one −).

@@ -54,6 +54,7 @@ struct Coverage {
   Index found = 0;             ///< with multiplicity
   std::optional<Index> counted;
   std::string reason;          ///< why not complete, for people; empty where complete
+  bool interrupted = false;    ///< work was stopped: `window` is the part of which all modes were found by then
 };
 
 enum class CountStatus { exact, signed_only, doubtful };

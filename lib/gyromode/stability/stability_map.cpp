@@ -1,5 +1,6 @@
 #include "gyromode/stability/stability_map.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/stability/border.h"
 
 namespace gyromode {
@@ -26,36 +27,63 @@ std::vector<Place> decided(const std::vector<double>& along, const StabilityMap:
   return kept;
 }
 
+using Verdict = std::function<StabilityPoint(const std::vector<double>&)>;
+
+// One row of the grid, at `rest` of the second parameter (empty without one): its cells, then its borders.
+void add_row(const Verdict& verdict, const std::vector<double>& rest, const Progress& progress, StabilityMap& map) {
+  const std::vector<double>& along = map.axes.front();
+  const Index all = static_cast<Index>(along.size() * (map.axes.size() > 1 ? map.axes[1].size() : 1));
+  const auto point = [&](double x) {
+    std::vector<double> values{x};
+    values.insert(values.end(), rest.begin(), rest.end());
+    return values;
+  };
+  const auto at = [&](double x) {
+    if (progress.stopped()) throw Interrupted();
+    return verdict(point(x));
+  };
+  const std::size_t first = map.cells.size();
+  for (const double x : along) {
+    map.cells.push_back({point(x), at(x)});
+    progress.report("cells", static_cast<Index>(map.cells.size()), all);
+  }
+  const double range = along.back() - along.front();
+  BorderSearch search(at, range);
+  std::vector<Border> borders;
+  const std::vector<Place> places = decided(along, map.cells.data() + first);
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    if (!places[k].point->differs(*places[k + 1].point)) continue;
+    for (Border& b : search.between(places[k].at, *places[k].point, places[k + 1].at, *places[k + 1].point)) borders.push_back(std::move(b));
+    progress.report("verdicts between cells", map.evaluations + search.evaluations(), 0);
+  }
+  for (Border& b : merged(borders, BorderSearch::narrowest_verdict * range)) map.critical.push_back({0, b.middle(), b.lo, b.hi, std::move(b.from), std::move(b.to), rest});
+  map.evaluations += search.evaluations();
+}
+
+// Cells that were not looked at: no verdict.
+void fill(StabilityMap& map) {
+  StabilityPoint none;
+  none.reason = "interrupted";
+  const std::vector<double>& along = map.axes.front();
+  const std::size_t rows = map.axes.size() > 1 ? map.axes[1].size() : 1;
+  for (std::size_t k = map.cells.size(); k < along.size() * rows; ++k) {
+    std::vector<double> at{along[k % along.size()]};
+    if (map.axes.size() > 1) at.push_back(map.axes[1][k / along.size()]);
+    map.cells.push_back({std::move(at), none});
+  }
+}
+
 }  // namespace
 
-StabilityMap map_stability(const std::function<StabilityPoint(const std::vector<double>&)>& verdict, std::vector<std::vector<double>> axes,
-                           const std::function<void(Index, Index)>& progress) {
+StabilityMap map_stability(const Verdict& verdict, std::vector<std::vector<double>> axes, const Progress& progress) {
   StabilityMap map;
   map.axes = std::move(axes);
-  const std::vector<double>& along = map.axes.front();
-  const std::vector<double> single{0};
-  const bool chart = map.axes.size() > 1;
-  const std::vector<double>& across = chart ? map.axes[1] : single;
-  const Index all = static_cast<Index>(along.size() * across.size());
-  const double range = along.back() - along.front();
-  for (const double y : across) {
-    const auto point = [&](double x) { return chart ? std::vector<double>{x, y} : std::vector<double>{x}; };
-    const std::size_t first = map.cells.size();
-    for (const double x : along) {
-      map.cells.push_back({point(x), verdict(point(x))});
-      if (progress) progress(static_cast<Index>(map.cells.size()), all);
-    }
-    BorderSearch search([&](double x) { return verdict(point(x)); }, range);
-    std::vector<Border> borders;
-    const std::vector<Place> places = decided(along, map.cells.data() + first);
-    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-      if (!places[k].point->differs(*places[k + 1].point)) continue;
-      for (Border& b : search.between(places[k].at, *places[k].point, places[k + 1].at, *places[k + 1].point)) borders.push_back(std::move(b));
-    }
-    for (Border& b : merged(borders, BorderSearch::narrowest_verdict * range)) {
-      map.critical.push_back({0, b.middle(), b.lo, b.hi, std::move(b.from), std::move(b.to), chart ? std::vector<double>{y} : std::vector<double>{}});
-    }
-    map.evaluations += search.evaluations();
+  try {
+    if (map.axes.size() == 1) add_row(verdict, {}, progress, map);
+    else for (const double y : map.axes[1]) add_row(verdict, {y}, progress, map);
+  } catch (const Interrupted&) {
+    map.interrupted = true;
+    fill(map);
   }
   return map;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/base/progress.h"
 #include "gyromode/stability/stability_point.h"
 
 #include <functional>
@@ -25,12 +26,13 @@ struct StabilityMap {
   std::vector<Cell> cells;              ///< the first axis runs fastest
   std::vector<CriticalValue> critical;  ///< along the first axis
   Index evaluations = 0;                ///< of the verdict between the cells, to find the critical values
+  bool interrupted = false;             ///< stopped before it was done
 };
 
 /// The verdict over a grid of one or two parameters, and where along the first it changes between neighbouring cells that have one: bisected to BorderSearch::resolution of the range or to
 /// the last bit. Cells and points without a verdict (`unknown`, no model) are no border by themselves; between two different verdicts they widen the bracket of the one border there. What lies between
-/// two neighbours with the same verdict is not looked at. `progress` is told cells done and in all.
+/// two neighbours with the same verdict is not looked at. `progress` is told "cells". Where it stops, cells not looked at have no verdict, and critical values are those of the rows that were finished.
 StabilityMap map_stability(const std::function<StabilityPoint(const std::vector<double>&)>& verdict, std::vector<std::vector<double>> axes,
-                           const std::function<void(Index, Index)>& progress = {});
+                           const Progress& progress = {});
 
 }  // namespace gyromode

@@ -50,6 +50,7 @@ std::string response_json(const Model& model, const ResponseReport& r, const Tim
   j["phase_error"] = r.phase_error;
   j["balance_closed"] = r.balance_closed;
   if (!r.remark.empty()) j["remark"] = r.remark;
+  if (r.history.interrupted) j["interrupted"] = true;
   return text(j);
 }
 
@@ -97,6 +98,7 @@ std::string frequency_csv(const FrequencyReport& r) {
 
 std::string frequency_json(const Model& model, const FrequencyReport& r, const Timings& timings) {
   Json j = head("gyromode/frequency_response/1", model, timings);
+  if (r.response.interrupted) j["interrupted"] = true;
   j["labels"] = r.labels;
   j["resonances"] = r.response.resonances();
   j["modes"] = Json::array();

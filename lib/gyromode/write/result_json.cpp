@@ -33,6 +33,7 @@ std::string modes_json(const Model& model, const ModesResult& r, const Timings& 
   j["coverage"] = {{"status", gyromode::to_string(c.status)}, {"window", bounds(c.window)}, {"requested", bounds(c.requested)}, {"found", c.found},
                    {"counted", c.counted ? Json(*c.counted) : Json(nullptr)}};
   if (!c.reason.empty()) j["coverage"]["reason"] = c.reason;
+  if (c.interrupted) j["interrupted"] = true;
   j["modes"] = modes_array(model, r.modes);
   j["unstable"] = unstable_array(model, r.unstable);
   j["geometry"] = geometry(r);  // a matrix model has none

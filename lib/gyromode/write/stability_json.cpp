@@ -30,6 +30,7 @@ void add_map(const StabilityReport& r, Json& j) {
     for (std::size_t k = 0; k < c.others.size(); ++k) one["at"][r.varied[k + 1]] = c.others[k];
     j["critical"].push_back(std::move(one));
   }
+  if (r.map->interrupted) j["interrupted"] = true;
   j["evaluations"] = {{"cells", r.map->cells.size()}, {"between", r.map->evaluations}};
 }
 

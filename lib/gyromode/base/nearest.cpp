@@ -1,9 +1,9 @@
-#include "gyromode/formats/nearest.h"
+#include "gyromode/base/nearest.h"
 
 #include <algorithm>
 #include <vector>
 
-namespace gyromode::io {
+namespace gyromode {
 
 namespace {
 
@@ -29,4 +29,4 @@ std::string nearest(std::string_view word, std::span<const std::string_view> kno
   return best == known.end() ? std::string() : std::string(*best);
 }
 
-}  // namespace gyromode::io
+}  // namespace gyromode

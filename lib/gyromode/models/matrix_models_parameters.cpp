@@ -1,0 +1,82 @@
+// The parameters of models made of matrices.
+#include "gyromode/models/matrices.h"
+
+#include "gyromode/base/error.h"
+
+#include <fmt/format.h>
+
+namespace gyromode {
+
+namespace {
+
+std::vector<MatrixOfParameters> entries_of(SpinFamily& f) {
+  std::vector<MatrixOfParameters> all{{"mass", &f.mass}, {"gyroscopic", &f.gyroscopic, true}, {"stiffness", &f.stiffness}};
+  if (f.gyroscopic_per_spin.size() > 0) all.push_back({"gyroscopic_per_spin", &f.gyroscopic_per_spin, true});
+  if (f.stiffness_per_spin2.size() > 0) all.push_back({"stiffness_per_spin2", &f.stiffness_per_spin2});
+  return all;
+}
+
+void require(bool named, const ParameterValue& value) {
+  if (!named) throw InvalidArgument(fmt::format("'{}' is no parameter of the model", value.key));
+}
+
+// The parameters of the whole model, where couplings were left out, and those couplings left out again.
+template <class Kind>
+std::shared_ptr<const ModelKind> with_couplings_left_out(const CouplingsLeftOut<Kind>& left_out, const std::vector<ParameterValue>& values) {
+  return left_out.whole->with(values)->without_couplings(left_out.tolerance).first;
+}
+
+}  // namespace
+
+SpinFamily MatricesModel::family() const {
+  if (family_) return *family_;
+  return {system_.mass(), system_.gyroscopic(), {}, system_.stiffness(), {}, system_.labels()};
+}
+
+std::vector<Parameter> MatricesModel::parameters() const {
+  if (left_out_.whole) return left_out_.whole->parameters();
+  std::vector<Parameter> all;
+  if (family_) all.push_back({"spin", Dimension::frequency, spin_});
+  SpinFamily f = family();
+  for (Parameter& p : listed_entries(entries_of(f))) all.push_back(std::move(p));
+  return all;
+}
+
+std::optional<Parameter> MatricesModel::parameter(std::string_view key) const {
+  if (left_out_.whole) return left_out_.whole->parameter(key);
+  if (key == "spin") return family_ ? std::optional(Parameter{"spin", Dimension::frequency, spin_}) : std::nullopt;
+  SpinFamily f = family();
+  return entry_named(entries_of(f), key);
+}
+
+std::shared_ptr<const ModelKind> MatricesModel::with(const std::vector<ParameterValue>& values) const {
+  if (left_out_.whole) return with_couplings_left_out(left_out_, values);
+  double spin = spin_;
+  SpinFamily f = family();
+  for (const ParameterValue& v : values) {
+    const bool is_spin = v.key == "spin" && family_;
+    if (is_spin) spin = v.value;
+    require(is_spin || set_entries(entries_of(f), v), v);
+  }
+  if (family_) return std::make_shared<MatricesModel>(std::move(f), spin);
+  return std::make_shared<MatricesModel>(f.at(0));
+}
+
+std::vector<Parameter> FirstOrderModel::parameters() const {
+  Matrix inertia = system_.inertia(), gyroscopic = system_.gyroscopic();
+  return listed_entries({{"inertia", &inertia}, {"gyroscopic", &gyroscopic, true}});
+}
+
+std::optional<Parameter> FirstOrderModel::parameter(std::string_view key) const {
+  Matrix inertia = system_.inertia(), gyroscopic = system_.gyroscopic();
+  return entry_named({{"inertia", &inertia}, {"gyroscopic", &gyroscopic, true}}, key);
+}
+
+std::shared_ptr<const ModelKind> FirstOrderModel::with(const std::vector<ParameterValue>& values) const {
+  if (left_out_.whole) return with_couplings_left_out(left_out_, values);
+  Matrix inertia = system_.inertia(), gyroscopic = system_.gyroscopic();
+  for (const ParameterValue& v : values) require(set_entries({{"inertia", &inertia}, {"gyroscopic", &gyroscopic, true}}, v), v);
+  return std::make_shared<FirstOrderModel>(FirstOrderSystem(std::move(inertia), std::move(gyroscopic), system_.labels()));
+}
+
+}  // namespace gyromode

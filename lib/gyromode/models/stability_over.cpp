@@ -1,0 +1,35 @@
+#include "gyromode/models/stability_over.h"
+
+#include "gyromode/base/error.h"
+
+namespace gyromode {
+
+namespace {
+
+StabilityPoint verdict_at(const ModelKind& model, const std::vector<ParameterAxis>& axes, const std::vector<double>& at) {
+  std::vector<ParameterValue> values;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    for (const std::string& key : keys_of(axes[k].keys)) values.push_back({key, at[k]});
+  }
+  try {
+    return stability_point(model.with(values)->verdict(false));
+  } catch (const LawBroken& e) {
+    StabilityPoint p;
+    p.law_kept = false;
+    p.reason = e.what();
+    return p;
+  }
+}
+
+}  // namespace
+
+StabilityMap stability_over(const ModelKind& model, const std::vector<ParameterAxis>& axes, const Progress& progress) {
+  std::vector<std::vector<double>> values;
+  for (const ParameterAxis& axis : axes) {
+    require_parameter(model, axis.keys);
+    values.push_back(axis.values);
+  }
+  return map_stability([&](const std::vector<double>& at) { return verdict_at(model, axes, at); }, std::move(values), progress);
+}
+
+}  // namespace gyromode

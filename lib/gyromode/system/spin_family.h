@@ -1,0 +1,20 @@
+#pragma once
+
+#include "gyromode/system/system.h"
+
+namespace gyromode {
+
+/// A system for every spin Ω of its axes or of its rotor, as data:
+///     M q̈ + (G₀ + ΩG₁) q̇ + (K₀ + Ω²K₂) q = 0.
+/// All matrices n × n; G₁ or K₂ is empty where nothing depends on the spin.
+struct SpinFamily {
+  Matrix mass;
+  Matrix gyroscopic, gyroscopic_per_spin;   ///< G₀, G₁
+  Matrix stiffness, stiffness_per_spin2;    ///< K₀, K₂
+  Labels labels;
+
+  /// The system at one spin, rad per unit of time. Throws LawBroken.
+  System at(double spin) const;
+};
+
+}  // namespace gyromode
