@@ -26,6 +26,7 @@ struct Options {
   std::string method = "auto";
   std::optional<Index> elements;
   std::string keep;
+  int schema = 1;
 };
 
 constexpr Index lowest_of_infinitely_many = 10;
@@ -68,7 +69,7 @@ ExitCode run(const Options& given) {
   const io::Format format = o.output.chosen();
   request.options.shapes = o.shapes || format == io::Format::svg;
   const ModesResult result = job.answer([&](const ModelKind& m) { return m.modes(request); });
-  o.output.write(document(job.model(), result, job.timings(), format));
+  o.output.write(document(job.model(), result, job.timings(), format, o.schema));
   const Coverage& c = result.coverage;
   if (!c.interrupted && (c.window.a != c.requested.a || (c.window.b != c.requested.b && !c.requested.open()))) {
     o.output.say(fmt::format("an end of the window falls on a mode: [{:.17g}, {:.17g}) rad/s was used", c.window.a, c.window.b));
@@ -111,6 +112,7 @@ void add_modes(CLI::App& program, int& code) {
   verb->add_option("--elements", o->elements, "Linear elements a cable of --method discrete (default 50)")->type_name("N")->check(CLI::Range(1, 2000));
   verb->add_option("--keep", o->keep, "Matrices: see the modes from these coordinates alone, LABEL,LABEL,…; modes in which they take no part are local")->type_name("LABELS");
   verb->add_flag("--shapes", o->shapes, "With the mode shapes: motion is Re(X e^{jωt}), largest entry 1");
+  verb->add_option("--schema", o->schema, "Version of the JSON schema: 1, a shape with each mode (default); 2, all shapes as one block")->type_name("VERSION")->check(CLI::IsMember({1, 2}));
   o->output.add_to(*verb);
   verb->footer("Examples:\n  gyromode modes models/three_springs.toml --shapes\n  gyromode modes models/wiresaw.toml --lowest 3 --format json\n"
                               "  gyromode modes models/geos.toml --below 40rpm\n  gyromode modes models/geos.toml --lowest 6 -o shapes.svg\n  gyromode modes models/geos.toml --method discrete --elements 100\n"

@@ -1,9 +1,7 @@
 #include "gyromode/write/document.h"
 
-#include "gyromode/write/result_csv.h"
-#include "gyromode/write/result_json.h"
 #include "gyromode/write/result_svg.h"
-#include "gyromode/write/result_text.h"
+#include "gyromode/write/writer.h"
 
 namespace gyromode::io {
 
@@ -25,37 +23,24 @@ Format format_for(const std::filesystem::path& file) {
   return Format::table;
 }
 
-std::string document(const Model& model, const ModesResult& result, const Timings& timings, Format format) {
-  switch (format) {
-    case Format::json: return modes_json(model, result, timings);
-    case Format::csv: return modes_csv(model, result);
-    case Format::svg: return modes_svg(model, result);
-    default: return modes_text(model, result, format);
-  }
+namespace {
+
+template <class Result>
+std::string written(std::string_view kind, const Model& model, const Result& result, const Timings& timings, Format format, int version = 1) {
+  const std::unique_ptr<Writer> w = writer(kind, model, timings, format, version);
+  describe(model, result, *w);
+  return w->text();
 }
 
-std::string document(const Model& model, const CountResult& result, const Timings& timings, Format format) {
-  switch (format) {
-    case Format::json: return count_json(model, result, timings);
-    case Format::csv: return count_csv(result);
-    default: return count_text(model, result, format);
-  }
-}
+}  // namespace
 
-std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format) {
-  switch (format) {
-    case Format::json: return structure_json(model, report, timings);
-    case Format::csv: return structure_csv(model, report);
-    default: return structure_text(model, report, format);
-  }
+std::string document(const Model& model, const ModesResult& result, const Timings& timings, Format format, int version) {
+  return format == Format::svg ? modes_svg(model, result) : written("modes", model, result, timings, format, version);
 }
-
-std::string document(const Model& model, const StabilityReport& result, const Timings& timings, Format format) {
-  switch (format) {
-    case Format::json: return stability_json(model, result, timings);
-    case Format::csv: return stability_csv(result);
-    default: return stability_text(model, result, format);
-  }
-}
+std::string document(const Model& model, const CountResult& result, const Timings& timings, Format format) { return written("count", model, result, timings, format); }
+std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format) { return written("structure", model, report, timings, format); }
+std::string document(const Model& model, const StabilityReport& report, const Timings& timings, Format format) { return written("stability", model, report, timings, format); }
+std::string document(const Model& model, const ResponseReport& report, const Timings& timings, Format format) { return written("response", model, report, timings, format); }
+std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, Format format) { return written("frequency_response", model, report, timings, format); }
 
 }  // namespace gyromode::io

@@ -23,7 +23,8 @@ struct Timings {
 };
 
 /// A result as text in the format asked for; svg, a picture of the shapes, is for the modes of a spacecraft with shapes. JSON follows the public schemas (docs/results.md), 17 significant digits where needed.
-std::string document(const Model& model, const ModesResult& result, const Timings& timings, Format format);
+/// `version` of the schema gyromode/modes: 1, a shape with each mode; 2, shapes and displacements of all modes as one block.
+std::string document(const Model& model, const ModesResult& result, const Timings& timings, Format format, int version = 1);
 std::string document(const Model& model, const CountResult& result, const Timings& timings, Format format);
 std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format);
 std::string document(const Model& model, const ResponseReport& report, const Timings& timings, Format format);

@@ -32,19 +32,20 @@ std::string Grid::aligned() const {
 }
 
 std::string Grid::markdown() const {
-  std::string out = "|";
-  for (const std::string& h : heading_) out += " " + h + " |";
-  out += "\n|";
-  for (std::size_t c = 0; c < heading_.size(); ++c) out += c + 1 == heading_.size() ? "---|" : "---:|";
-  out += "\n";
-  for (const auto& row : rows_) {
+  std::string out;
+  const auto line = [&](const std::vector<std::string>& row) {
     out += "|";
     for (std::string cell : row) {
       for (std::size_t at = 0; (at = cell.find('|', at)) != std::string::npos; at += 2) cell.insert(at, "\\");
       out += " " + cell + " |";
     }
     out += "\n";
-  }
+  };
+  line(heading_);
+  out += "|";
+  for (std::size_t c = 0; c < heading_.size(); ++c) out += c + 1 == heading_.size() ? "---|" : "---:|";
+  out += "\n";
+  for (const auto& row : rows_) line(row);
   return out;
 }
 

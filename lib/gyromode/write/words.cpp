@@ -1,29 +1,16 @@
-#include "gyromode/write/text_parts.h"
+#include "gyromode/write/words.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace gyromode::io {
 
 namespace {
 
-std::string sign_word(const Mode& m) { return m.energy_sign > 0 ? "+" : m.energy_sign < 0 ? "−" : "0"; }
-
-}  // namespace
-
 std::string plural(Index n, std::string_view one) { return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s"); }
 
-std::string written(const Grid& grid, Format format) { return format == Format::markdown ? grid.markdown() : grid.aligned(); }
-
-std::string fact(Format format, std::string_view key, const std::string& value) {
-  return format == Format::markdown ? fmt::format("- **{}**: {}\n", key, value) : fmt::format("{:<11} {}\n", key, value);
-}
-
-std::string heading(Format format, const std::string& title) {
-  return format == Format::markdown ? fmt::format("## {}\n\n", title) : fmt::format("{}\n\n", title);
-}
+}  // namespace
 
 std::string joined(const Labels& labels, const std::vector<Index>& coordinates) {
   constexpr std::size_t most = 12;
@@ -35,7 +22,7 @@ std::string joined(const Labels& labels, const std::vector<Index>& coordinates) 
   return out.empty() ? "none" : out;
 }
 
-std::string model_line(const Model& model) {
+std::string model_words(const Model& model) {
   return fmt::format("{} ({}, {})", model.title, plural(model.size(), "coordinate"), model.body->in_words());
 }
 
@@ -76,30 +63,24 @@ std::string balance_words(const IndexBalance& b) {
                      b.quadruples, b.negative_energy, b.zero_negative > 0 ? fmt::format(" + {} at zero", b.zero_negative) : "");
 }
 
-std::string complex_cell(const Complex& z) {
+std::string coverage_words(const Coverage& c) {
+  std::string out = fmt::format("{}: found {}", to_string(c.status), c.found);
+  if (c.counted) out += fmt::format(", counted {}", *c.counted);
+  out += fmt::format(" in {} rad/s", window_words(c.window));
+  return c.reason.empty() ? out : out + " — " + c.reason;
+}
+
+std::string complex_words(const Complex& z) {
   if (z.imag() == 0) return fmt::format("{:.6g}", z.real());
   if (z.real() == 0) return fmt::format("{:.6g}j", z.imag());
   return fmt::format("{:.6g}{:+.6g}j", z.real(), z.imag());
 }
 
-std::string frequency_table(const std::vector<Mode>& modes, Format format) {
-  Grid grid({"#", "ω [rad/s]", "f [Hz]", "energy", "residual", "kind"});
-  for (std::size_t k = 0; k < modes.size(); ++k) {
-    const Mode& m = modes[k];
-    grid.add({fmt::format("{}", k + 1), fmt::format("{:.15g}", m.omega), fmt::format("{:.10g}", m.omega / (2 * std::numbers::pi)), sign_word(m),
-              fmt::format("{:.1e}", m.residual), std::string(to_string(m.kind))});
-  }
-  return written(grid, format);
-}
-
-std::string measured(double x) { return std::isfinite(x) ? fmt::format("{:.1e}", x) : "–"; }
-
-std::string unstable_table(const std::vector<UnstableMode>& modes, Format format) {
-  Grid grid({"growth rate [1/s]", "ω [rad/s]", "residual", "error bound", "kind"});
-  for (const UnstableMode& u : modes) {
-    grid.add({fmt::format("{:.15g}", u.growth_rate), fmt::format("{:.15g}", u.omega), measured(u.residual), measured(u.error_bound), u.flutter() ? "flutter" : "divergence"});
-  }
-  return written(grid, format);
+std::string largest_in(const Labels& labels, const ComplexVector& shape) {
+  if (shape.size() == 0) return "";
+  Index at = 0;
+  shape.cwiseAbs().maxCoeff(&at);
+  return labels[static_cast<std::size_t>(at)];
 }
 
 }  // namespace gyromode::io

@@ -1,0 +1,129 @@
+// What several documents have in common.
+#include "gyromode/write/words.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace gyromode::io {
+
+namespace {
+
+std::string sign_words(int sign) { return sign > 0 ? "+" : sign < 0 ? "−" : "0"; }
+std::string measured(double x) { return std::isfinite(x) ? fmt::format("{:.1e}", x) : "–"; }
+
+}  // namespace
+
+Json displacements(const std::vector<ComplexMatrix>& field) {
+  if (field.empty()) return no_value;
+  Json re = Json::array(), im = Json::array();
+  for (const ComplexMatrix& line : field) {
+    for (Index k = 0; k < line.cols(); ++k) {
+      re.push_back({line(0, k).real(), line(1, k).real(), line(2, k).real()});
+      im.push_back({line(0, k).imag(), line(1, k).imag(), line(2, k).imag()});
+    }
+  }
+  return {{"re", std::move(re)}, {"im", std::move(im)}};
+}
+
+namespace {
+
+// A shape in two columns a coordinate.
+void add_shape_columns(const Labels& labels, Table& t) {
+  for (const std::string& label : labels) {
+    for (const char* part : {" re", " im"}) t.columns.push_back({label + part, "", "{}", Column::In::csv});
+  }
+}
+
+void add_shape(const Labels& labels, const ComplexVector& shape, std::vector<Cell>& row) {
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const bool there = shape.size() > 0;
+    row.push_back({there ? Json(shape(static_cast<Index>(i)).real()) : no_value, ""});
+    row.push_back({there ? Json(shape(static_cast<Index>(i)).imag()) : no_value, ""});
+  }
+}
+
+}  // namespace
+
+Json labels_of(const Labels& labels, const std::vector<Index>& coordinates) {
+  Json all = Json::array();
+  for (const Index i : coordinates) all.push_back(labels[static_cast<std::size_t>(i)]);
+  return all;
+}
+
+Json rows_of(const Matrix& a) {
+  Json rows = Json::array();
+  for (Index i = 0; i < a.rows(); ++i) {
+    Json row = Json::array();
+    for (Index j = 0; j < a.cols(); ++j) row.push_back(a(i, j));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json bounds(const Window& w) { return Json::array({w.a, w.b}); }
+Json complex_rows(const ComplexMatrix& a) { return {{"re", rows_of(a.real())}, {"im", rows_of(a.imag())}}; }
+
+Json shape_json(const Labels& labels, const ComplexVector& shape) {
+  if (shape.size() == 0) return no_value;
+  const Vector re = shape.real(), im = shape.imag();
+  return {{"labels", labels}, {"re", std::vector<double>(re.begin(), re.end())}, {"im", std::vector<double>(im.begin(), im.end())}};
+}
+
+void describe_class(const Model& model, const Structure& s, const InertiaOfK& k, bool has_stiffness, Writer& w) {
+  const bool quadrature = s.system_class() == SystemClass::quadrature;
+  w.fact("structure.class", model.body->transcendental() ? "transcendental" : to_string(s.system_class()));
+  w.fact("structure.in_phase", quadrature ? labels_of(model.labels(), s.in_phase()) : Json::array());
+  w.fact("structure.quadrature", quadrature ? labels_of(model.labels(), s.in_quadrature()) : Json::array());
+  if (has_stiffness) {
+    w.fact("structure.stiffness", to_string(k.definiteness()));
+    w.fact("structure.negative", k.negative);
+    w.fact("structure.zero", k.zero);
+  }
+  if (model.ignored && model.ignored->largest > 0) w.fact("structure.largest_ignored_coupling", model.ignored->largest);
+}
+
+void describe_balance(const IndexBalance& b, Writer& w) {
+  w.fact("index_balance", {{"negative", b.negative}, {"real_pairs", b.real_pairs}, {"quadruples", b.quadruples}, {"negative_energy", b.negative_energy},
+                           {"zero", b.zero}, {"zero_negative", b.zero_negative}, {"closed", b.closed}});
+}
+
+Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w) {
+  Table t{std::move(key), "",
+          {{"", "#"}, {"omega", "ω [rad/s]", "{:.15g}"}, {"frequency_hz", "f [Hz]", "{:.10g}"}, {"growth_rate", "", "", Column::In::csv}, {"kind", ""}, {"energy_sign", "energy"}, {"multiplicity", ""},
+           {"residual", "residual", "{:.1e}"}, {"error_bound", ""}, {"", "kind"}, {"cluster", "", "", Column::In::json}, {"bracket", "", "", Column::In::json},
+           {"shape", "", "", Column::In::json}, {"displacements", "", "", Column::In::json}},
+          static_cast<Index>(modes.size()), {}};
+  const bool flat = w.for_csv() && !modes.empty() && modes.front().shape.size() > 0, nested = w.for_json() && w.version() == 1;
+  if (flat) add_shape_columns(model.labels(), t);
+  t.row = [&model, &modes, flat, nested](Index k) {
+    const Mode& m = modes[static_cast<std::size_t>(k)];
+    std::vector<Cell> row{{k + 1, ""}, {m.omega, ""}, {hertz(m.omega), ""}, {0, ""}, {to_string(m.kind), ""}, {m.energy_sign, sign_words(m.energy_sign)}, {m.multiplicity, ""},
+                          {m.residual, ""}, {m.error_bound, ""}, {to_string(m.kind), ""}, {m.cluster > 1 ? Json(m.cluster) : no_value, ""}, {m.bracket ? Json(*m.bracket) : no_value, ""},
+                          {nested ? shape_json(model.labels(), m.shape) : no_value, ""}, {nested ? displacements(m.field) : no_value, ""}};
+    if (flat) add_shape(model.labels(), m.shape, row);
+    return row;
+  };
+  return t;
+}
+
+Table unstable_table(const Model& model, const std::vector<UnstableMode>& modes, const Writer& w, bool shapes_in_csv) {
+  Table t{"unstable", "",
+          {{"growth_rate", "growth rate [1/s]", "{:.15g}", Column::In::json}, {"omega", "ω [rad/s]", "{:.15g}"}, {"frequency_hz", "", "", Column::In::csv}, {"growth_rate", "", "", Column::In::csv},
+           {"kind", ""}, {"energy_sign", "", "", Column::In::csv}, {"multiplicity", "", "", Column::In::csv}, {"residual", "residual"}, {"error_bound", "error bound"}, {"", "kind"}, {"", !modes.empty() && modes.front().shape.size() > 0 ? "largest in" : ""},
+           {"shape", "", "", Column::In::json}},
+          static_cast<Index>(modes.size()), {}};
+  const bool nested = w.for_json() && w.version() == 1;
+  if (shapes_in_csv) add_shape_columns(model.labels(), t);
+  t.row = [&model, &modes, shapes_in_csv, nested](Index k) {
+    const UnstableMode& u = modes[static_cast<std::size_t>(k)];
+    const char* kind = u.flutter() ? "flutter" : "divergence";
+    std::vector<Cell> row{{u.growth_rate, ""}, {u.omega, ""}, {hertz(u.omega), ""}, {u.growth_rate, ""}, {kind, ""}, {nullptr, ""}, {1, ""}, {u.residual, measured(u.residual)},
+                          {u.error_bound, measured(u.error_bound)}, {kind, ""}, {nullptr, largest_in(model.labels(), u.shape)}, {nested ? shape_json(model.labels(), u.shape) : no_value, ""}};
+    if (shapes_in_csv) add_shape(model.labels(), u.shape, row);
+    return row;
+  };
+  return t;
+}
+
+}  // namespace gyromode::io

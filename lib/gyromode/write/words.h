@@ -1,0 +1,43 @@
+#pragma once
+
+#include "gyromode/models/model.h"
+#include "gyromode/write/writer.h"
+
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gyromode::io {
+
+/// What documents say in words.
+std::string model_words(const Model& model);
+std::string class_words(const Model& model, const Structure& s);
+std::string stiffness_words(const InertiaOfK& k);
+std::string stability_words(Stability s);
+std::string window_words(const Window& w);
+std::string balance_words(const IndexBalance& b);
+std::string coverage_words(const Coverage& c);
+/// The labels of some coordinates, the first dozen by name.
+std::string joined(const Labels& labels, const std::vector<Index>& coordinates);
+std::string complex_words(const Complex& z);
+/// The label of the largest entry; empty where there is no shape.
+std::string largest_in(const Labels& labels, const ComplexVector& shape);
+
+/// What several documents hold, for programs.
+Json bounds(const Window& w);
+Json labels_of(const Labels& labels, const std::vector<Index>& coordinates);
+Json rows_of(const Matrix& a);
+Json complex_rows(const ComplexMatrix& a);
+/// Displacements of the points of "geometry", in their order; nothing where there are none.
+Json displacements(const std::vector<ComplexMatrix>& field);
+Json shape_json(const Labels& labels, const ComplexVector& shape);
+inline double hertz(double omega) { return omega / (2 * std::numbers::pi); }
+
+void describe_class(const Model& model, const Structure& s, const InertiaOfK& k, bool has_stiffness, Writer& w);
+void describe_balance(const IndexBalance& b, Writer& w);
+/// Modes under `key` in JSON; with their shapes where they have some.
+Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w);
+Table unstable_table(const Model& model, const std::vector<UnstableMode>& modes, const Writer& w, bool shapes_in_csv);
+
+}  // namespace gyromode::io

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "gyromode/models/model.h"
+#include "gyromode/write/document.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gyromode::io {
+
+using Json = nlohmann::ordered_json;
+
+/// A column of a table: the key that its values have for programs, the heading with unit and the digits that people see.
+struct Column {
+  enum class In { both, json, csv };
+  std::string key;             ///< empty: for people only
+  std::string heading = {};    ///< empty: for programs only
+  std::string digits = "{}";   ///< of numbers, as fmt writes them
+  In in = In::both;            ///< which programs
+};
+
+/// A value; `discarded` where there is none. Numbers that are not finite are null in JSON.
+struct Cell {
+  Json value;
+  std::string words = {};  ///< what people see instead
+};
+inline const Json no_value = Json(Json::value_t::discarded);
+
+/// Rows of one kind, made when they are asked for.
+struct Table {
+  std::string key;     ///< of the array in JSON; empty: not there
+  std::string title;   ///< a line above, for people; may be empty
+  std::vector<Column> columns;
+  Index size = 0;
+  std::function<std::vector<Cell>(Index row)> row = {};
+  bool csv = false;    ///< the rows are (among) those of the CSV document
+};
+
+/// A document is described once, by calls to this; what comes of it is a table, Markdown, JSON or CSV.
+class Writer {
+ public:
+  virtual ~Writer() = default;
+
+  /// A fact: for programs under `key` (dots part the levels), for people a line. Either may be left empty.
+  virtual void fact(std::string_view key, Json value, std::string_view heading = {}, const std::string& words = {}) = 0;
+  /// A line for people alone.
+  void say(std::string_view heading, const std::string& words) { fact({}, {}, heading, words); }
+  virtual void table(const Table& table) = 0;
+  /// Lines for people alone.
+  virtual void paragraph(const std::string& lines) = 0;
+  virtual std::string text() = 0;
+
+  /// Version of the schema asked for.
+  int version() const { return version_; }
+  bool for_json() const { return format_ == Format::json; }
+  bool for_csv() const { return format_ == Format::csv; }
+
+ protected:
+  explicit Writer(Format format, int version = 1) : format_(format), version_(version) {}
+
+ private:
+  Format format_;
+  int version_;
+};
+
+/// A document of that kind ("modes") and version about a model.
+std::unique_ptr<Writer> writer(std::string_view kind, const Model& model, const Timings& timings, Format format, int version);
+
+/// Describes each result.
+void describe(const Model& model, const ModesResult& result, Writer& w);
+void describe(const Model& model, const CountResult& result, Writer& w);
+void describe(const Model& model, const StructureReport& report, Writer& w);
+void describe(const Model& model, const StabilityReport& report, Writer& w);
+void describe(const Model& model, const ResponseReport& report, Writer& w);
+void describe(const Model& model, const FrequencyReport& report, Writer& w);
+
+}  // namespace gyromode::io
