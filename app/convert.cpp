@@ -6,6 +6,8 @@
 #include "gyromode/dense/constant_form.h"
 #include "gyromode/dense/unitary_form.h"
 #include "gyromode/formats/matrix_market.h"
+#include "gyromode/models/model_kind.h"
+#include "gyromode/structure/structure.h"
 
 #include <fmt/format.h>
 
@@ -32,7 +34,7 @@ struct Options {
 std::string write_matrices(const fs::path& folder, const Model& model) {
   std::string names;
   for (const ModelKind::NamedMatrix& a : model.body->matrices()) {
-    io::write_matrix_market(folder / (a.name + ".mtx"), *a.matrix, a.skew ? io::Symmetry::skew_symmetric : io::Symmetry::symmetric, model.title + ": " + a.meaning);
+    write_matrix_market(folder / (a.name + ".mtx"), *a.matrix, a.skew ? Symmetry::skew_symmetric : Symmetry::symmetric, model.title + ": " + a.meaning);
     names += fmt::format("{}{}.mtx", names.empty() ? "" : ", ", a.name);
   }
   return names;
@@ -40,16 +42,16 @@ std::string write_matrices(const fs::path& folder, const Model& model) {
 
 // W.mtx, and with it U.mtx = [displacement velocity]; D.mtx and Q.mtx where W = DᵀD.
 std::string write_constant_form(const fs::path& folder, const System& s, const dense::ConstantForm& form, const Options& o, const std::string& title) {
-  io::write_matrix_market(folder / "W.mtx", form.w, io::Symmetry::symmetric, title + ": eigenvalues ω². " + form.solver);
+  write_matrix_market(folder / "W.mtx", form.w, Symmetry::symmetric, title + ": eigenvalues ω². " + form.solver);
   std::string names = ", W.mtx";
   if (!o.transformation) return names;
   Matrix u(s.size(), 2 * s.size());
   u << form.displacement, form.velocity;
-  io::write_matrix_market(folder / "U.mtx", u, io::Symmetry::general, title + ": u = U (q, q') obeys u'' = -W u");
+  write_matrix_market(folder / "U.mtx", u, Symmetry::general, title + ": u = U (q, q') obeys u'' = -W u");
   names += ", U.mtx";
   if (form.bidiagonal) {
-    io::write_matrix_market(folder / "D.mtx", *form.bidiagonal, io::Symmetry::general, title + ": bidiagonal D, W = D'D");
-    io::write_matrix_market(folder / "Q.mtx", *form.orthogonal, io::Symmetry::general, title + ": orthogonal Q of order 2n, Z = Q T Q'");
+    write_matrix_market(folder / "D.mtx", *form.bidiagonal, Symmetry::general, title + ": bidiagonal D, W = D'D");
+    write_matrix_market(folder / "Q.mtx", *form.orthogonal, Symmetry::general, title + ": orthogonal Q of order 2n, Z = Q T Q'");
     names += ", D.mtx, Q.mtx";
   }
   return names;
@@ -58,13 +60,13 @@ std::string write_constant_form(const fs::path& folder, const System& s, const d
 // W.mtx, Q1.mtx and Q2.mtx of the unitary form, which every system has; and U.mtx with the transformation.
 std::string write_unitary_form(const fs::path& folder, const System& s, const Options& o, const std::string& title) {
   const dense::UnitaryForm form = dense::unitary_form(s);
-  io::write_matrix_market(folder / "W.mtx", form.w, io::Symmetry::general, title + ": eigenvalues ω². Upper Hessenberg, from the Hamiltonian form by the unitary matrix Q1 + jQ2 (T8e)");
+  write_matrix_market(folder / "W.mtx", form.w, Symmetry::general, title + ": eigenvalues ω². Upper Hessenberg, from the Hamiltonian form by the unitary matrix Q1 + jQ2 (T8e)");
   if (!o.transformation) return ", W.mtx";
   Matrix u(s.size(), 2 * s.size());
   u << form.displacement, form.velocity;
-  io::write_matrix_market(folder / "U.mtx", u, io::Symmetry::general, title + ": v = U (q, q') obeys v'' = -W' v");
-  io::write_matrix_market(folder / "Q1.mtx", form.q1, io::Symmetry::general, title + ": real part of the unitary Q1 + jQ2");
-  io::write_matrix_market(folder / "Q2.mtx", form.q2, io::Symmetry::general, title + ": imaginary part of the unitary Q1 + jQ2");
+  write_matrix_market(folder / "U.mtx", u, Symmetry::general, title + ": v = U (q, q') obeys v'' = -W' v");
+  write_matrix_market(folder / "Q1.mtx", form.q1, Symmetry::general, title + ": real part of the unitary Q1 + jQ2");
+  write_matrix_market(folder / "Q2.mtx", form.q2, Symmetry::general, title + ": imaginary part of the unitary Q1 + jQ2");
   return ", W.mtx, U.mtx, Q1.mtx, Q2.mtx";
 }
 

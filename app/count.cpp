@@ -18,7 +18,7 @@ ExitCode run(const Options& o) {
   if (!o.window.given()) throw UsageError("count needs a window: --below W or --window A:B");
   Job job(o.source, o.output);
   const Window window = o.window.read();
-  const CountResult result = job.answer([&](const ModelKind& m) { return m.count(window); });
+  const CountResult result = job.answer([&](const Model& m) { return m.count(window); });
   o.output.write(document(job.model(), result, job.timings(), o.output.chosen()));
   if (result.status == CountStatus::exact) return ExitCode::done;
   o.output.say(result.status == CountStatus::signed_only

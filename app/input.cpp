@@ -43,13 +43,7 @@ Model promised(const std::string& files, Reader&& reader) {
   }
 }
 
-Model ModelSource::admitted(Model m) const {
-  if (coupling_tolerance == 0) return m;
-  auto [body, ignored] = m.body->without_couplings(coupling_tolerance);
-  m.body = std::move(body);
-  m.ignored = ignored;
-  return m;
-}
+Model ModelSource::admitted(Model m) const { return coupling_tolerance == 0 ? m : m.without_couplings(coupling_tolerance); }
 
 Model ModelSource::read() const {
   const bool matrices = !mass.empty() || !gyroscopic.empty() || !stiffness.empty();
@@ -57,12 +51,12 @@ Model ModelSource::read() const {
     throw UsageError(matrices ? "give a model file or --mass and --stiffness, not both"
                               : "no model: give a model file (gyromode modes models/rigid_body.toml) or --mass M.mtx [--gyroscopic G.mtx] --stiffness K.mtx");
   }
-  if (!matrices) return promised(model, [&] { return admitted(io::read_model(model)); });
+  if (!matrices) return promised(model, [&] { return admitted(read_model(model)); });
   if (mass.empty() || stiffness.empty()) {
     throw UsageError(fmt::format("{} is missing: M and K are both needed (G may be left out)", mass.empty() ? "--mass" : "--stiffness"));
   }
   const std::string files = fmt::format("{}, {}{}{}", mass, gyroscopic, gyroscopic.empty() ? "" : ", ", stiffness);
-  return promised(files, [&] { return admitted(io::read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness)); });
+  return promised(files, [&] { return admitted(read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness)); });
 }
 
 void WindowOption::add_to(CLI::App& verb) {

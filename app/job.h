@@ -25,7 +25,7 @@ class Job {
   const Model& model() const { return model_; }
   /// Puts another body in the place of the model's: its approximation.
   void replace(std::shared_ptr<const ModelKind> body) { model_.body = std::move(body); }
-  const io::Timings& timings() const { return timings_; }
+  const Timings& timings() const { return timings_; }
   Progress progress() const { return progress_on(output_); }
   /// Says that the result written is a part.
   ExitCode interrupted() const {
@@ -36,7 +36,7 @@ class Job {
   /// What the question finds; its time counts as solving.
   template <class Question>
   auto answer(Question&& question) {
-    auto result = question(*model_.body);
+    auto result = question(std::as_const(model_));
     timings_.solve = watch_.lap();
     return result;
   }
@@ -47,7 +47,7 @@ class Job {
   const OutputOption& output_;
   Stopwatch watch_;
   Model model_;
-  io::Timings timings_;
+  Timings timings_;
 };
 
 }  // namespace gyromode::app

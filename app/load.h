@@ -1,7 +1,8 @@
 #pragma once
 
-#include "gyromode/elements/boom_point.h"
+#include "gyromode/appendage/parts.h"
 #include "gyromode/motion/state.h"
+#include "gyromode/base/labels.h"
 
 #include <string>
 #include <vector>

@@ -3,6 +3,7 @@
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/models/model_kind.h"
 #include "gyromode/base/nearest.h"
 #include "gyromode/base/number.h"
 
@@ -56,19 +57,19 @@ ExitCode run(const Options& given) {
   Options o = given;
   Job job(o.source, o.output);
   if (o.elements && o.method != "discrete") throw UsageError("--elements belongs to --method discrete of a spacecraft model");
-  ModesRequest request;
-  request.options.window = o.window.read();
-  request.options.lowest = o.lowest;
-  request.options.progress = job.progress();
-  request.method = o.method;
-  if (!o.keep.empty()) request.keep = labels_of(o.keep, job.model().labels());
+  ModesOptions options;
+  options.window = o.window.read();
+  options.lowest = o.lowest;
+  options.progress = job.progress();
+  options.method = method_named(o.method).value_or(Method::automatic);
+  if (!o.keep.empty()) options.keep = labels_of(o.keep, job.model().labels());
   if (o.method == "discrete") job.replace(job.model().body->discretised(o.elements));
   const bool infinite = !job.model().body->finite();
-  if (infinite) bound(request.options, o);
+  if (infinite) bound(options, o);
   o.output.pictures = job.model().body->transcendental();
-  const io::Format format = o.output.chosen();
-  request.options.shapes = o.shapes || format == io::Format::svg;
-  const ModesResult result = job.answer([&](const ModelKind& m) { return m.modes(request); });
+  const Format format = o.output.chosen();
+  options.shapes = o.shapes || format == Format::svg;
+  const ModesResult result = job.answer([&](const Model& m) { return m.modes(options); });
   o.output.write(document(job.model(), result, job.timings(), format, o.schema));
   const Coverage& c = result.coverage;
   if (!c.interrupted && (c.window.a != c.requested.a || (c.window.b != c.requested.b && !c.requested.open()))) {

@@ -19,10 +19,10 @@ void OutputOption::add_to(CLI::App& verb) {
   verb.add_flag("--quiet", quiet, "No remarks on stderr; errors remain");
 }
 
-io::Format OutputOption::chosen(io::Format otherwise) const {
-  if (!pictures && (format == "svg" || (format.empty() && io::format_for(file) == io::Format::svg))) throw UsageError("svg is for the mode shapes of a spacecraft: gyromode modes MODEL -o shapes.svg");
-  if (!format.empty()) return *io::format_named(format);
-  return file.empty() ? otherwise : io::format_for(file);
+Format OutputOption::chosen(Format otherwise) const {
+  if (!pictures && (format == "svg" || (format.empty() && format_for(file) == Format::svg))) throw UsageError("svg is for the mode shapes of a spacecraft: gyromode modes MODEL -o shapes.svg");
+  if (!format.empty()) return *format_named(format);
+  return file.empty() ? otherwise : format_for(file);
 }
 
 void OutputOption::write(const std::string& text) const {

@@ -16,7 +16,7 @@ struct OutputOption {
   bool pictures = false;  ///< whether svg is among the formats
 
   void add_to(CLI::App& verb);
-  io::Format chosen(io::Format otherwise = io::Format::table) const;  ///< `otherwise`: on stdout without --format
+  Format chosen(Format otherwise = Format::table) const;  ///< `otherwise`: on stdout without --format
   /// To stdout, or to the file, which is replaced only by a complete result.
   void write(const std::string& text) const;
   /// A line on stderr, unless --quiet.

@@ -4,6 +4,7 @@
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/models/model_kind.h"
 #include "gyromode/read/initial_state.h"
 
 #include <fmt/format.h>
@@ -41,13 +42,13 @@ Vector times_of(const Options& o) {
   return t;
 }
 
-ResponseReport moved(const ModelKind& m, const Options& o, const Progress& progress) {
-  m.require_motion();
+ResponseReport moved(const Model& m, const Options& o, const Progress& progress) {
+  m.body->require_motion();
   const State start = o.initial.empty() ? State::rest(m.size()) : io::read_initial_state(o.initial, m.labels());
   return m.response({start, forces_of(o.forces, m.labels()), points_of(o.points), times_of(o), o.rates, progress});
 }
 
-FrequencyReport swept(const ModelKind& m, const Options& o, const Progress& progress) {
+FrequencyReport swept(const Model& m, const Options& o, const Progress& progress) {
   return m.frequency_response({amplitude_of(o.forces, m.labels()), frequency_grid("--frequencies", o.frequencies), progress});
 }
 
@@ -78,14 +79,14 @@ ExitCode run(const Options& o) {
   if (!sweep && o.initial.empty() && o.forces.empty()) throw UsageError("nothing moves: give --initial FILE.csv (columns label,q,qdot) or --force");
   Job job(o.source, o.output);
   if (sweep) {
-    const FrequencyReport report = job.answer([&](const ModelKind& m) { return swept(m, o, job.progress()); });
-    o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
+    const FrequencyReport report = job.answer([&](const Model& m) { return swept(m, o, job.progress()); });
+    o.output.write(document(job.model(), report, job.timings(), o.output.chosen(Format::csv)));
     say_resonances(report, o.output);
     if (report.response.interrupted) return job.interrupted();
     return ExitCode::done;
   }
-  const ResponseReport report = job.answer([&](const ModelKind& m) { return moved(m, o, job.progress()); });
-  o.output.write(document(job.model(), report, job.timings(), o.output.chosen(io::Format::csv)));
+  const ResponseReport report = job.answer([&](const Model& m) { return moved(m, o, job.progress()); });
+  o.output.write(document(job.model(), report, job.timings(), o.output.chosen(Format::csv)));
   if (!report.remark.empty()) o.output.say(report.remark);
   if (report.history.interrupted) return job.interrupted();
   return certified(report, o.output) ? ExitCode::done : ExitCode::not_certified;

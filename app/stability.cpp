@@ -4,7 +4,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/number.h"
-#include "gyromode/models/stability_over.h"
+#include "gyromode/models/parameter_keys.h"
 
 #include <fmt/format.h>
 
@@ -48,10 +48,10 @@ std::vector<AxisText> axes_of(const std::vector<std::string>& vary) {
   return axes;
 }
 
-ParameterAxis axis_of(const ModelKind& model, const AxisText& text) {
+ParameterAxis axis_of(const Model& model, const AxisText& text) {
   const Parameter parameter = [&] {
     try {
-      return require_parameter(model, text.keys);
+      return require_parameter(*model.body, text.keys);
     } catch (const InvalidArgument& e) {
       throw UsageError(fmt::format("--vary: {}", e.what()));
     }
@@ -68,19 +68,19 @@ ParameterAxis axis_of(const ModelKind& model, const AxisText& text) {
   return axis;
 }
 
-StabilityReport asked(const ModelKind& model, const std::vector<AxisText>& texts, const Progress& progress) {
+StabilityReport asked(const Model& model, const std::vector<AxisText>& texts, const Progress& progress) {
   std::vector<ParameterAxis> axes;
   for (const AxisText& text : texts) axes.push_back(axis_of(model, text));
   StabilityReport report = model.stability();
   for (const ParameterAxis& axis : axes) report.varied.push_back(axis.keys);
-  if (!axes.empty()) report.map = stability_over(model, axes, progress);
+  if (!axes.empty()) report.map = model.stability_over(axes, progress);
   return report;
 }
 
 ExitCode run(const Options& o) {
   const std::vector<AxisText> axes = axes_of(o.vary);
   Job job(o.source, o.output);
-  const StabilityReport report = job.answer([&](const ModelKind& m) { return asked(m, axes, job.progress()); });
+  const StabilityReport report = job.answer([&](const Model& m) { return asked(m, axes, job.progress()); });
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
   if (report.map && report.map->interrupted) return job.interrupted();
   if (report.result.stability != Stability::unknown) return ExitCode::done;

@@ -67,7 +67,7 @@ ComplexVector placed(const dense::Spectrum& s, const ComplexVector& part) {
   return x;
 }
 
-Tally solved(const System& system, dense::Method method) {
+Tally solved(const System& system, Method method) {
   const Residual residual(system);
   const dense::Spectrum s = dense::solve(system, analyse(system).components.front(), method);
   Tally t;
@@ -135,13 +135,13 @@ Tally symmetric(const Matrix& a) {
 
 void compare(std::vector<Score>& league, const std::string& name, const System& system) {
   const Index n = system.size();
-  league.push_back(solved(system, dense::Method::automatic).score(name, "gyromode, dense::solve", n));
+  league.push_back(solved(system, Method::automatic).score(name, "gyromode, dense::solve", n));
   league.push_back(found(system).score(name, "gyromode, find_modes", n));
   league.push_back(first_order(system).score(name, "dgeev of order 2n", n));
 }
 
 void compare_symmetric(std::vector<Score>& league, const std::string& name, const System& system) {
-  league.push_back(solved(system, dense::Method::meirovitch).score(name, "dsygvd of order 2n (Meirovitch 1974)", system.size()));
+  league.push_back(solved(system, Method::meirovitch).score(name, "dsygvd of order 2n (Meirovitch 1974)", system.size()));
 }
 
 }  // namespace

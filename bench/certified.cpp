@@ -4,7 +4,7 @@
 #include "rows.h"
 #include "systems.h"
 
-#include "gyromode/modes/count.h"
+#include "gyromode/modes/modes.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/stability/stability_margin.h"
 

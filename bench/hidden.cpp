@@ -36,7 +36,7 @@ Row against_general(const std::string& title, const System& system, int rounds) 
                           const Structure s = analyse(system, HiddenSearch::always);
                           *path = dense::solve(system, s.components.front()).solver;
                         }};
-  const Contestant general{"general", "dense::solve without a partition", {}, [&] { dense::solve(system, visible.components.front(), dense::Method::general); }};
+  const Contestant general{"general", "dense::solve without a partition", {}, [&] { dense::solve(system, visible.components.front(), Method::general); }};
   const Contestant search{"search alone", "what it costs where there is nothing to find", {}, [&] { analyse(system, HiddenSearch::always); }};
   const Others others;
   Row row{"g", title, {}, 0, interleaved({ours, general, search}, rounds)};

@@ -37,7 +37,7 @@ struct Ours {
   }
 
   void solve() { solver = dense::solve(system, component).solver; }
-  void find() { solver = find_modes(system, {.window = {}, .lowest = {}, .shapes = true, .progress = {}}).solver; }
+  void find() { solver = find_modes(system, {.window = {}, .lowest = {}, .keep = {}, .shapes = true, .progress = {}}).solver; }
 
   Contestant dense_solve() {
     return {"gyromode", "dense::solve, method automatic: roots and shapes", {}, [this] { solve(); }};

@@ -5,8 +5,8 @@
 // pressed on an elastic guide at 0.3 of its length: the guide couples what the transport of the wire keeps apart, and no partition is left, open or hidden.
 #include "comparison.h"
 
+#include <gyromode/gyromode.h>
 #include <gyromode/dense/constant_form.h>
-#include <gyromode/modes/modes.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -45,7 +45,7 @@ int main() {
   check.at_most("‖DᵀD − W‖/‖W‖", (d.transpose() * d - form.w).norm() / form.w.norm(), 1e-14);
 
   ModesOptions classical;  // the other method: roots of the 2n × 2n companion matrix
-  classical.method = dense::Method::companion;
+  classical.method = Method::companion;
   classical.shapes = true;
   const auto modes = find_modes(wire, classical).modes;
   const Vector omega2 = Eigen::SelfAdjointEigenSolver<Matrix>(form.w).eigenvalues();

@@ -5,8 +5,7 @@
 // quadrature. Written in axes turned by 20° every coordinate meets every other, and no partition is visible; the reversing symmetry R is there all the same.
 #include "comparison.h"
 
-#include <gyromode/modes/modes.h>
-#include <gyromode/structure/symmetry_words.h>
+#include <gyromode/gyromode.h>
 
 #include <numbers>
 
@@ -56,8 +55,8 @@ int main() {
   if (check.exit_code() != 0) return 1;  // no R to show
 
   // R, with or without a minus sign: the mirror line lies along the first axis of the bearings, at −20°, or across it.
-  const SymmetrySearch& search = *structure.components.at(0).search;
-  const Matrix r = search.found.value().reflection(turned.mass());
+  const SymmetryFinding finding = Model(turned).structure().symmetries.at(0);
+  const Matrix r = finding.reflection.value();
   const std::string words = in_words(r, turned.labels());
   std::printf("R: %s\n", words.c_str());
   check.holds("an axis of the bearings", words.find("along the line at 70°") != words.npos || words.find("along the line at -20°") != words.npos);
@@ -65,10 +64,10 @@ int main() {
   const Matrix one = Matrix::Identity(8, 8), mirror = planes(c * one, s * one, s * one, -c * one);
   // Rounding turns R as far as it can move two nearly equal frequencies of the planes past each other: those above 9000 rad/s differ by half a percent.
   check.at_most("distance of R to the mirror", std::min((r - mirror).norm(), (r + mirror).norm()), 1e-9);
-  check.at_most("breach of R² = 1, RᵀKR = K, RᵀGR = −G", search.departure, search.threshold);
+  check.at_most("departure from R² = 1, RᵀKR = K, RᵀGR = −G", finding.departure, finding.threshold);
 
   ModesOptions by_symmetry;
-  by_symmetry.method = dense::Method::hidden;
+  by_symmetry.method = Method::hidden;
   const auto exact = find_modes(principal), found = find_modes(turned, by_symmetry);
   check.holds("all 16 modes found and counted", found.coverage.status == CoverageStatus::complete && found.modes.size() == 16);
   for (std::size_t i = 0; i < found.modes.size(); ++i) {

@@ -7,7 +7,7 @@
 //     tilts        θ1 = (I₂w2 + p sin Ωt)/(I₃Ω),   θ2 = (p cos Ωt − I₁w1)/(I₃Ω)
 #include "comparison.h"
 
-#include <gyromode/motion/response.h>
+#include <gyromode/gyromode.h>
 
 #include <algorithm>
 #include <numbers>

@@ -6,8 +6,7 @@
 // with a spring at 0.3 of its length. K > 0 in all three, so that n₋(H(ω)) is the number of modes below ω.
 #include "comparison.h"
 
-#include <gyromode/modes/modes.h>
-#include <gyromode/structure/realify.h>
+#include <gyromode/gyromode.h>
 
 #include <algorithm>
 #include <numbers>

@@ -7,9 +7,7 @@
 //     stays (gyroscopically stabilised) beyond; there the two frequencies differ by √(g² − (√k₁ + √k₂)²) and have energies of opposite sign.
 #include "comparison.h"
 
-#include <gyromode/modes/modes.h>
-#include <gyromode/stability/stability_margin.h>
-#include <gyromode/stability/stability_map.h>
+#include <gyromode/gyromode.h>
 
 using namespace gyromode;
 
@@ -57,8 +55,9 @@ int main() {
 
   std::printf("k₂ = 4 N/m: growth below the threshold of 3 kg/s, margins above it\n");
   check.equal("growth rate at g = 2.5 kg/s [1/s]", verdict(2.5, 4).growth_rate, 0.5 * std::sqrt(9 - 2.5 * 2.5), 1e-13);
-  const auto pair = nearest_opposite_pair(find_modes(on_a_hill(3.1, 4)).modes).value();
+  const StabilityReport report = Model(on_a_hill(3.1, 4)).stability();
+  const auto pair = report.opposite.value();
   check.equal("distance of the opposite pair at g = 3.1 kg/s [rad/s]", pair[1] - pair[0], std::sqrt(3.1 * 3.1 - 9), 1e-13);
-  check.equal("K nearest to zero [rad²/s²]", stiffness_margin(on_a_hill(3.1, 4)).value(), -k1, 1e-14);
+  check.equal("K nearest to zero [rad²/s²]", report.stiffness.value(), -k1, 1e-14);
   return check.exit_code();
 }

@@ -7,7 +7,7 @@
 // continua, by Legendre's functions: a mode ω, X of the exact H(ω) takes the amplitude 2|X (Xᴴf)| / |Xᴴ (dH/dω) X| from an impulse f.
 #include "comparison.h"
 
-#include <gyromode/read/read_model.h>
+#include <gyromode/gyromode.h>
 #include <gyromode/models/spacecraft_model.h>
 #include <gyromode/modes/spacecraft.h>
 #include <gyromode/motion/spacecraft_response.h>
@@ -30,7 +30,7 @@ double exact_amplitude(const Spacecraft& craft, const Mode& mode) {
 
 int main(int argc, char** argv) {
   if (argc != 2) return std::fprintf(stderr, "usage: example_wire_booms models/geos.toml\n"), 1;
-  const Spacecraft craft = dynamic_cast<const SpacecraftModel&>(*io::read_model(argv[1]).body).spacecraft();
+  const Spacecraft craft = dynamic_cast<const SpacecraftModel&>(*read_model(argv[1]).body).spacecraft();
   const State rest{Vector::Zero(6), Vector::Zero(6)};
   const Force kick{.course = Force::Course::impulse, .amplitude = p * Vector::Unit(6, theta1)};
   const SpacecraftResponse motion(craft, rest, {kick}, {{BoomPoint::Part::cable, 1, 1}, {BoomPoint::Part::cable, 2, 1}});

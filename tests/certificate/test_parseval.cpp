@@ -27,8 +27,8 @@ struct Solved {
 
 Solved solved(const System& system) {
   const Component c = analyse(system).components.front();
-  Impedance h = dense::impedance_of(system, c, dense::Method::automatic);
-  dense::Spectrum s = dense::solve(h, c, dense::Method::automatic);
+  Impedance h = dense::impedance_of(system, c, Method::automatic);
+  dense::Spectrum s = dense::solve(h, c, Method::automatic);
   return {std::move(h), std::move(s)};
 }
 

@@ -1,19 +1,21 @@
 // Modes of a rotating mass on springs, and of a satellite with two wires, by the installed package.
-#include <gyromode/modes/modes.h>
-#include <gyromode/modes/spacecraft.h>
+#include <gyromode/gyromode.h>
 
 #include <cstdio>
+#include <iostream>
 
 int main() {
   const double spin = 100;  // rad/s
   const gyromode::Matrix mass = 0.2 * gyromode::Matrix::Identity(2, 2);
-  gyromode::Matrix gyroscopic(2, 2);
-  gyroscopic << 0, -0.4 * spin, 0.4 * spin, 0;
+  gyromode::Matrix per_spin(2, 2);
+  per_spin << 0, -0.4, 0.4, 0;
   gyromode::Matrix stiffness(2, 2);
-  stiffness << 40e3 - 0.2 * spin * spin, 0, 0, 200e3 - 0.2 * spin * spin;
-
-  const auto result = gyromode::find_modes(gyromode::System(mass, gyroscopic, stiffness));
-  for (const auto& mode : result.modes) std::printf("%.12g rad/s\n", mode.omega);
+  stiffness << 40e3, 0, 0, 200e3;
+  const gyromode::Model rotor(gyromode::SpinFamily{mass, gyromode::Matrix::Zero(2, 2), per_spin, stiffness, -mass, {"x", "y"}}, spin);
+  gyromode::ModesOptions all;
+  all.shapes = true;
+  const gyromode::ModesResult result = rotor.modes(all);
+  std::cout << result << result.shapes() << "\n";
 
   const gyromode::Body hub{270, Eigen::Vector3d(85, 100, 120).asDiagonal()};
   gyromode::Cable wire;
@@ -22,10 +24,16 @@ int main() {
   wire.line_density = 0.03;
   gyromode::Cable opposite = wire;
   opposite.azimuth = 3.14159265358979323846;
-  gyromode::ModesOptions options;
-  options.lowest = 5;
-  const auto satellite = gyromode::find_modes(gyromode::Spacecraft(1.05, hub, {wire, opposite}), options);
-  for (const auto& mode : satellite.modes) std::printf("%.12g rad/s\n", mode.omega);
-  const bool complete = result.coverage.status == gyromode::CoverageStatus::complete && satellite.coverage.status == gyromode::CoverageStatus::complete;
-  return complete ? 0 : 1;
+  gyromode::ModesOptions lowest;
+  lowest.lowest = 5;
+  const gyromode::Model satellite(gyromode::Spacecraft(1.05, hub, {wire, opposite}));
+  const gyromode::ModesResult of_satellite = satellite.modes(lowest);
+  for (const double omega : of_satellite.frequencies()) std::printf("%.12g rad/s\n", omega);
+  std::cout << gyromode::document(satellite, satellite.stability(), {}, gyromode::Format::json).substr(0, 60) << "\n";
+  try {
+    rotor.with({{"spinn", 1}});
+    return 1;
+  } catch (const gyromode::InvalidArgument&) {
+  }
+  return result.is_complete() && of_satellite.is_complete() && rotor.with({{"spin", 0}}).modes().frequencies().size() == 2 ? 0 : 1;
 }

@@ -10,10 +10,10 @@
 namespace {
 
 using gyromode::Matrix;
-using gyromode::io::Symmetry;
+using gyromode::Symmetry;
 
 void require_round_trip(const Matrix& a, Symmetry symmetry) {
-  const Matrix again = gyromode::io::parse_matrix_market(gyromode::io::format_matrix_market(a, symmetry, "fuzz\nround trip"), "again.mtx");
+  const Matrix again = gyromode::parse_matrix_market(gyromode::format_matrix_market(a, symmetry, "fuzz\nround trip"), "again.mtx");
   if (!a.allFinite() || again.rows() != a.rows() || again.cols() != a.cols() || !(again.array() == a.array()).all()) std::abort();
 }
 
@@ -22,7 +22,7 @@ void require_round_trip(const Matrix& a, Symmetry symmetry) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Matrix a;
   try {
-    a = gyromode::io::parse_matrix_market({reinterpret_cast<const char*>(data), size}, "fuzz.mtx");
+    a = gyromode::parse_matrix_market({reinterpret_cast<const char*>(data), size}, "fuzz.mtx");
   } catch (const gyromode::Unreadable&) {
     return 0;
   }

@@ -71,7 +71,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text{reinterpret_cast<const char*>(data), size};
   if (may_leave_the_folder(text)) return 0;
   try {
-    const Model model = gyromode::io::parse_model(text, name);
+    const Model model = gyromode::parse_model(text, name);
     require_laws(model);
     require(model.size() > 0 && static_cast<gyromode::Index>(model.labels().size()) == model.size());
     require(model.kind == kind_of(model) && model.sha256.size() == 64);

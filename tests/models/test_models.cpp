@@ -23,9 +23,9 @@ std::vector<std::filesystem::path> shipped() {
 class ShippedModel : public testing::TestWithParam<std::filesystem::path> {};
 
 ModesResult modes_of(const Model& model) {
-  ModesRequest request;
-  if (!model.body->finite()) request.options.window.b = model.known.frequencies.back() * (1 + 1e-9);
-  return model.body->modes(request);
+  ModesOptions options;
+  if (!model.body->finite()) options.window.b = model.known.frequencies.back() * (1 + 1e-9);
+  return model.modes(options);
 }
 
 std::string class_of(const Model& model, const ModesResult& r) {
@@ -34,7 +34,7 @@ std::string class_of(const Model& model, const ModesResult& r) {
 }
 
 TEST_P(ShippedModel, HasItsKnownValues) {
-  const Model model = io::read_model(GetParam());
+  const Model model = read_model(GetParam());
   EXPECT_FALSE(model.reference.empty());
   ASSERT_FALSE(model.known.frequencies.empty());
   const ModesResult r = modes_of(model);
@@ -47,7 +47,7 @@ TEST_P(ShippedModel, HasItsKnownValues) {
 
 // What the file declares is no echo of the exact solver alone: finite elements of high degree have it, too.
 TEST_P(ShippedModel, SpacecraftAgreesWithItsTwin) {
-  const Model model = io::read_model(GetParam());
+  const Model model = read_model(GetParam());
   const auto* exact = dynamic_cast<const SpacecraftModel*>(model.body.get());
   if (!exact) return;
   ModesOptions options;

@@ -2,6 +2,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/write/document.h"
 #include "gyromode/models/matrices.h"
+#include "gyromode/models/model.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -19,7 +20,7 @@ class DoublePendulum : public ModelKind {
   Index size() const override { return 2; }
   const Labels& labels() const override { return system_.labels(); }
   std::string_view in_words() const override { return "double pendulum, fixed axes"; }
-  ModesResult modes(const ModesRequest& request) const override { return find_modes(system_, request.options); }
+  ModesResult modes(const ModesOptions& options) const override { return find_modes(system_, options); }
   CountResult count(const Window& window) const override { return count_modes(system_, window); }
   StructureReport structure(std::optional<double> at) const override { return MatricesModel(system_).structure(at); }
 
@@ -27,25 +28,25 @@ class DoublePendulum : public ModelKind {
   System system_;
 };
 
-Model pendulum() { return {"Pendulum", "", "double_pendulum", "", std::make_shared<DoublePendulum>(10), std::nullopt, {}}; }
+Model pendulum() { return Model(std::make_shared<DoublePendulum>(10), "double_pendulum"); }
 
 TEST(NewKind, AnswersTheVerbs) {
   const Model m = pendulum();
-  const ModesResult r = m.body->modes({});
+  const ModesResult r = m.modes({});
   ASSERT_EQ(r.modes.size(), 2u);
   EXPECT_NEAR(r.modes[0].omega, std::sqrt(10 * (2 - std::sqrt(2.0))), 1e-14);
-  EXPECT_EQ(m.body->count({0, 3}).count, 1);
-  EXPECT_EQ(m.body->stability().result.stability, Stability::stable);
+  EXPECT_EQ(m.count({0, 3}).count, 1);
+  EXPECT_EQ(m.stability().result.stability, Stability::stable);
 }
 
 TEST(NewKind, IsWrittenLikeAnyOther) {
   const Model m = pendulum();
-  const auto modes = nlohmann::json::parse(document(m, m.body->modes({}), {}, io::Format::json));
+  const auto modes = nlohmann::json::parse(document(m, m.modes({}), {}, Format::json));
   EXPECT_EQ(modes["model"]["kind"], "double_pendulum");
   EXPECT_EQ(modes["coverage"]["status"], "complete");
-  const auto structure = nlohmann::json::parse(document(m, m.body->structure(2.0), {}, io::Format::json));
+  const auto structure = nlohmann::json::parse(document(m, m.structure(2.0), {}, Format::json));
   EXPECT_EQ(structure["checks"]["mass_trace"], 3);
-  EXPECT_NE(document(m, m.body->modes({}), {}, io::Format::table).find("double pendulum, fixed axes"), std::string::npos);
+  EXPECT_NE(document(m, m.modes({}), {}, Format::table).find("double pendulum, fixed axes"), std::string::npos);
 }
 
 TEST(NewKind, SaysWhatItHasNoAnswerTo) {

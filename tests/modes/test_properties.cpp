@@ -7,7 +7,7 @@
 #include "gyromode/base/rounding.h"
 #include "gyromode/lapack/small.h"
 #include "gyromode/lapack/triangular.h"
-#include "gyromode/modes/count.h"
+#include "gyromode/modes/modes.h"
 #include "gyromode/modes/modes.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ void for_each_system(const std::function<void(const support::RandomSystem&, std:
   }
 }
 
-ModesResult solved(const System& s, dense::Method method = dense::Method::automatic, bool shapes = false) {
+ModesResult solved(const System& s, Method method = Method::automatic, bool shapes = false) {
   ModesOptions options;
   options.method = method;
   options.shapes = shapes;
@@ -171,13 +171,13 @@ TEST(Properties, ManyMethodsOneAnswer) {
   for_each_system([&](const support::RandomSystem& d, std::mt19937_64&) {
     const ModesResult r = solved(d.system());
     if (!comparable(r)) return;
-    expect_same(r, solved(d.system(), dense::Method::general), d.description + ", general", 8);
-    expect_same(r, solved(d.system(), dense::Method::companion), d.description + ", first order", 8);
+    expect_same(r, solved(d.system(), Method::general), d.description + ", general", 8);
+    expect_same(r, solved(d.system(), Method::companion), d.description + ", first order", 8);
     // Meirovitch's form squares the condition of diag(M, K): it is compared where that leaves digits.
     const bool graded = d.description.find("graded") != std::string::npos;
     if (r.stiffness.definiteness() != Definiteness::positive || graded) return;
     ++symmetric;
-    expect_same(r, solved(d.system(), dense::Method::meirovitch), d.description + ", symmetric 2n", 8);
+    expect_same(r, solved(d.system(), Method::meirovitch), d.description + ", symmetric 2n", 8);
   });
   EXPECT_GT(symmetric, 60);
 }
@@ -185,7 +185,7 @@ TEST(Properties, ManyMethodsOneAnswer) {
 // Seed 199, graded K > 0: 'symmetric-2n' squares the condition and loses the small frequencies. They cannot be shown to exist, and it is not called complete.
 TEST(Properties, SymmetricMethodOnGradedStiffness) {
   const support::RandomSystem d = support::random_system(199);
-  const ModesResult symmetric = solved(d.system(), dense::Method::meirovitch);
+  const ModesResult symmetric = solved(d.system(), Method::meirovitch);
   EXPECT_EQ(symmetric.coverage.status, CoverageStatus::not_counted);
   EXPECT_NE(symmetric.coverage.reason.find("could not be shown to exist"), std::string::npos) << symmetric.coverage.reason;
 }
@@ -229,7 +229,7 @@ TEST(Properties, ProductOfFrequenciesIsTheRatioOfDeterminants) {
 TEST(Properties, EnergyIsOrthogonal) {
   double worst = 0;
   for_each_system([&](const support::RandomSystem& d, std::mt19937_64&) {
-    const ModesResult r = solved(d.system(), dense::Method::automatic, true);
+    const ModesResult r = solved(d.system(), Method::automatic, true);
     const double n = static_cast<double>(d.mass.rows());
     const auto norm1 = [](const Matrix& a) { return a.cwiseAbs().colwise().sum().maxCoeff(); };
     const auto scale = [&](double w) { return norm1(d.stiffness) + w * norm1(d.gyroscopic) + w * w * norm1(d.mass); };

@@ -25,9 +25,9 @@ void expect_near(const std::vector<double>& found, const std::vector<double>& ex
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], relative * expected[i]) << "mode " << i;
 }
 
-const std::vector<dense::Method> classical_too{dense::Method::automatic, dense::Method::general, dense::Method::companion};
+const std::vector<Method> classical_too{Method::automatic, Method::general, Method::companion};
 
-class EveryMethod : public testing::TestWithParam<dense::Method> {
+class EveryMethod : public testing::TestWithParam<Method> {
  protected:
   ModesResult solve(const System& s) const {
     ModesOptions options;
@@ -122,7 +122,7 @@ TEST(Meirovitch, FrequenciesAreRootsOfTheCubic) {
   expect_near(frequencies(r), {0.189680465035159, 2.48169419315294, 4.05201372811779}, 4e-15);
   EXPECT_EQ(r.coverage.status, CoverageStatus::complete);
   ModesOptions whole;
-  whole.method = dense::Method::general;
+  whole.method = Method::general;
   expect_near(frequencies(find_modes(analytic::MeirovitchBody{3, 4.2, 0.8, 1.5, 5, 1.1}.system(), whole)), frequencies(r), 1e-14);
 }
 

@@ -3,7 +3,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
-#include "gyromode/modes/count.h"
+#include "gyromode/modes/modes.h"
 #include "gyromode/modes/modes.h"
 
 #include <gtest/gtest.h>
@@ -295,7 +295,7 @@ TEST(Result, FirstOrderConstantSolutionsAreRigid) {
 
 // ---- refusals -----------------------------------------------------------------------------------------------------------------------
 
-std::string refusal(const System& s, dense::Method method) {
+std::string refusal(const System& s, Method method) {
   ModesOptions options;
   options.method = method;
   try {
@@ -307,18 +307,18 @@ std::string refusal(const System& s, dense::Method method) {
 }
 
 TEST(Methods, AreRefusedWhereTheyDoNotApply) {
-  const std::string no_partition = refusal(triangle(1), dense::Method::quadrature);
+  const std::string no_partition = refusal(triangle(1), Method::quadrature);
   EXPECT_NE(no_partition.find("needs a quadrature partition"), std::string::npos) << no_partition;
   EXPECT_NE(no_partition.find("'q1'"), std::string::npos) << no_partition;
-  EXPECT_NE(refusal(triangle(-1), dense::Method::meirovitch).find("K has 1 negative and 0 zero eigenvalues"), std::string::npos);
-  EXPECT_NE(refusal(triangle(0), dense::Method::meirovitch).find("K has 0 negative and 1 zero eigenvalues"), std::string::npos);
-  for (const auto method : {dense::Method::automatic, dense::Method::general, dense::Method::companion, dense::Method::meirovitch}) {
+  EXPECT_NE(refusal(triangle(-1), Method::meirovitch).find("K has 1 negative and 0 zero eigenvalues"), std::string::npos);
+  EXPECT_NE(refusal(triangle(0), Method::meirovitch).find("K has 0 negative and 1 zero eigenvalues"), std::string::npos);
+  for (const auto method : {Method::automatic, Method::general, Method::companion, Method::meirovitch}) {
     EXPECT_EQ(refusal(triangle(1), method), "");
     EXPECT_EQ(refusal(pair(1, 2, 1), method), "");
   }
-  EXPECT_EQ(refusal(pair(-1, -2, 1), dense::Method::quadrature), "");
+  EXPECT_EQ(refusal(pair(-1, -2, 1), Method::quadrature), "");
   ModesOptions options;
-  options.method = dense::Method::companion;
+  options.method = Method::companion;
   Matrix g = Matrix::Zero(2, 2);
   g << 0, 1, -1, 0;
   EXPECT_THROW(find_modes(FirstOrderSystem(Matrix::Identity(2, 2), g), options), NotApplicable);

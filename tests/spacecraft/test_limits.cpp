@@ -4,6 +4,9 @@
 #include "gyromode/modes/spacecraft_spectrum.h"
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/spacecraft/clamped_booms.h"
+#include "gyromode/appendage/cable.h"
+#include "gyromode/appendage/beam.h"
+#include "gyromode/appendage/spring_mass.h"
 
 #include <gtest/gtest.h>
 

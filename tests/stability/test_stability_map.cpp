@@ -88,7 +88,7 @@ TEST(StabilityMap, GyroscopicThreshold) {
 
 // A1: the mass on three springs by its model file; thresholds √(Kx/m), √(Ky/m).
 TEST(StabilityMap, MassOnThreeSpringsFromItsFile) {
-  const Model model = io::read_model(GYROMODE_SOURCE_DIR "/models/three_springs.toml");
+  const Model model = read_model(GYROMODE_SOURCE_DIR "/models/three_springs.toml");
   const StabilityMap chart = stability_over(*model.body, {{"spin", grid(10, 1500, 100)}, {"stiffness[0][0]", grid(2e4, 1.5e5, 100)}});
   expect_no_wrong_cell(
       chart,
@@ -129,7 +129,7 @@ TEST(Parameters, OfASpacecraft) {
   const std::string text = "kind = \"spacecraft\"\nspin = \"10 rpm\"\n[body]\nmass = 260\ninertia = [90.0, 110.0, 150.0]\n"
                            "[[cable]]\nazimuth = 0\nradius = 1\nheight = 0\nlength = \"20 m\"\nline_density = 0.002\n"
                            "[[cable]]\nazimuth = \"180 deg\"\nradius = 1\nheight = 0\nlength = 20\nline_density = 0.002\n";
-  const Model m = io::parse_model(text, "craft.toml");
+  const Model m = parse_model(text, "craft.toml");
   for (const char* key : {"spin", "body.inertia[2]", "cable[*].length", "cable[0].length,cable[1].length", "body.mass"}) EXPECT_NO_THROW(require_parameter(*m.body, key)) << key;
   const Spacecraft craft = dynamic_cast<const SpacecraftModel&>(*m.body->with({{"cable[*].length", 31.5}, {"body.inertia[2]", 140}})).spacecraft();
   EXPECT_EQ(craft.cables()[0].length, 31.5);
@@ -160,7 +160,7 @@ TEST(Parameters, OfEveryShippedModelAreReadBack) {
   for (const auto& entry : std::filesystem::directory_iterator(GYROMODE_SOURCE_DIR "/models")) {
     if (entry.path().extension() != ".toml") continue;
     ++models;
-    const Model m = io::read_model(entry.path());
+    const Model m = read_model(entry.path());
     for (const Parameter& p : m.body->parameters()) {
       ASSERT_TRUE(m.body->parameter(p.key)) << p.key;
       EXPECT_EQ(m.body->with({{p.key, p.value}})->parameter(p.key)->value, p.value) << entry.path() << p.key;

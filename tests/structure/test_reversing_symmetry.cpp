@@ -31,7 +31,7 @@ Index order_of(std::uint64_t seed) { return seed % 10 == 0 ? 200 : 40; }
 
 SymmetrySearch search(const System& s) { return find_reversing_symmetry(s.mass(), s.gyroscopic(), s.stiffness()); }
 
-ModesOptions by(dense::Method method) {
+ModesOptions by(Method method) {
   ModesOptions options;
   options.method = method;
   return options;
@@ -56,7 +56,7 @@ TEST(ReversingSymmetry, ScrambledSystemsAreRecognised) {
 TEST(ReversingSymmetry, FrequenciesOfScrambledSystems) {
   for (std::uint64_t seed = 0; seed < seeds(); ++seed) {
     const Scrambled s = scrambled_system(seed, order_of(seed) / 4, 1e6);
-    const ModesResult plain = find_modes(s.plain), hidden = find_modes(s.hidden, by(dense::Method::hidden));
+    const ModesResult plain = find_modes(s.plain), hidden = find_modes(s.hidden, by(Method::hidden));
     ASSERT_EQ(plain.structure.system_class(), SystemClass::quadrature);
     EXPECT_EQ(hidden.structure.system_class(), SystemClass::hidden_quadrature) << seed;
     const double cond = s.condition * s.condition;  // of M: what rounding in the scrambled matrices is multiplied by
@@ -149,7 +149,7 @@ TEST(ReversingSymmetry, SingularAndIndefiniteStiffness) {
     const Matrix t = s.orthogonal(n);
     const System plain(Matrix::Identity(n, n), g, symmetric_part(k));
     const System hidden(Matrix::Identity(n, n), skew_part(t.transpose() * g * t), symmetric_part(t.transpose() * k * t));
-    const ModesResult a = find_modes(plain), b2 = find_modes(hidden, by(dense::Method::hidden)), c = find_modes(hidden, by(dense::Method::general));
+    const ModesResult a = find_modes(plain), b2 = find_modes(hidden, by(Method::hidden)), c = find_modes(hidden, by(Method::general));
     ASSERT_EQ(a.modes.size(), b2.modes.size()) << trial;
     EXPECT_EQ(to_string(a.stability), to_string(b2.stability)) << trial;
     EXPECT_EQ(to_string(b2.coverage.status), "complete") << trial << " " << b2.coverage.reason;
@@ -212,7 +212,7 @@ TEST(ReversingSymmetry, MethodRefusedWithTheMiss) {
   support::Source s{std::mt19937_64(3)};
   const System general(Matrix::Identity(5, 5), s.skew(5), s.symmetric(5, 0));
   try {
-    find_modes(general, by(dense::Method::hidden));
+    find_modes(general, by(Method::hidden));
     FAIL();
   } catch (const NotApplicable& e) {
     EXPECT_NE(std::string(e.what()).find("the nearest reflection breaks the commutation rules by 0."), std::string::npos) << e.what();

@@ -6,6 +6,7 @@
 #include "gyromode/lapack/small.h"
 #include "gyromode/structure/ignored_couplings.h"
 #include "gyromode/structure/structure.h"
+#include "gyromode/structure/inertia_of_k.h"
 
 #include <Eigen/Dense>
 

@@ -1,4 +1,7 @@
 #include "support/random_spacecraft.h"
+#include "gyromode/appendage/cable.h"
+#include "gyromode/appendage/beam.h"
+#include "gyromode/appendage/spring_mass.h"
 
 #include <algorithm>
 #include <cmath>

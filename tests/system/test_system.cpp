@@ -6,6 +6,7 @@
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/scale.h"
 #include "gyromode/system/system.h"
+#include "gyromode/system/laws.h"
 
 #include <Eigen/Dense>
 

@@ -1,22 +1,10 @@
 #pragma once
 
 #include "gyromode/appendage/appendage.h"
+#include "gyromode/appendage/parts.h"
 #include "gyromode/appendage/bernoulli.h"
 
 namespace gyromode {
-
-/// An Euler–Bernoulli boom along axis 3, clamped at its root, with a point mass at its tip. It carries no axial load, and its inertia about its own axis is left out.
-struct Beam {
-  double root_height = 0;                ///< m, above the origin
-  bool upward = true;                    ///< direction of axis 3, or against it
-  double length = 0;                     ///< m, > 0
-  double line_density = 0;               ///< kg/m, > 0
-  double bending_stiffness[2] = {0, 0};  ///< N m², for motion along axes 1 and 2, > 0
-  double tip_mass = 0;                   ///< kg, ≥ 0
-
-  double mass() const { return line_density * length + tip_mass; }
-  double way() const { return upward ? 1 : -1; }
-};
 
 /// With η = jY the transverse motion (X, η) relative to the body is real and falls apart into two cantilevers: ρN φ = κEφ, N = [p t; t p], p = ω² + Ω², t = 2ωΩ, E the bending
 /// stiffnesses (docs/booms.md §4). Each feels the loads ρφᵀN of the body's translation and rotation, and keeps one coordinate.

@@ -1,31 +1,12 @@
 #pragma once
 
 #include "gyromode/appendage/appendage.h"
+#include "gyromode/appendage/parts.h"
 #include "gyromode/appendage/patterns.h"
 #include "gyromode/appendage/pole.h"
 #include "gyromode/appendage/wire_field.h"
 
 namespace gyromode {
-
-/// A perfectly flexible, inextensible wire boom, hinged at its root, radial and taut by the spin alone.
-struct Cable {
-  double azimuth = 0;       ///< rad, from axis 1
-  double radius = 0;        ///< m, of the root from axis 3, ≥ 0
-  double height = 0;        ///< m, of the root above the origin, along axis 3
-  double length = 0;        ///< m, > 0
-  double line_density = 0;  ///< kg/m, > 0
-  double tip_mass = 0;      ///< kg, ≥ 0
-
-  double reach() const { return radius + length; }
-  double mass() const { return line_density * length + tip_mass; }
-  /// S = ∫ r dm, kg m. The tension at the root is spin² S.
-  double first_moment() const;
-  /// ∫ r² dm, kg m².
-  double second_moment() const;
-  Eigen::Vector3d direction() const;
-  /// Whether both have the same field: radius, length, density and tip mass.
-  bool same_field(const Cable& other) const;
-};
 
 /// Equal cables, at any azimuths and heights: one field in plane and one out of plane serves all, and they move in Patterns.
 ///

@@ -1,15 +1,9 @@
 #pragma once
 
 #include "gyromode/appendage/appendage.h"
+#include "gyromode/appendage/parts.h"
 
 namespace gyromode {
-
-/// A point mass held to the body by three springs along the body axes. An infinite stiffness is a rigid connection in that direction.
-struct SpringMass {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m, from the origin, where it sits while the satellite spins steadily
-  double mass = 0;                                     ///< kg, > 0
-  Eigen::Vector3d stiffness = Eigen::Vector3d::Zero(); ///< N/m, > 0 or infinite
-};
 
 /// Its displacement u relative to the body is kept, over √(k + m(ω² + Ω²)) in each direction so that stiff and light ones weigh alike: diag(k) − mN₃ on u, and with the body
 ///     −m N₃ (ζ + θ × p) + mΩ² θ × Pp,   N₃ = [p jt 0; −jt p 0; 0 0 ω²],   P = diag(1, 1, 0),

@@ -8,6 +8,7 @@
 #include "gyromode/lapack/reflectors.h"
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/structure/inertia_of_k.h"
+#include "gyromode/structure/reversing_symmetry.h"
 
 namespace gyromode::dense {
 

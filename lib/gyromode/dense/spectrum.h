@@ -2,6 +2,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/dense/unstable_roots.h"
+#include "gyromode/spectrum/method.h"
 #include "gyromode/base/types.h"
 #include "gyromode/structure/inertia_of_k.h"
 #include "gyromode/system/units.h"
@@ -10,9 +11,6 @@
 #include <vector>
 
 namespace gyromode::dense {
-
-/// Which solver to use. `automatic` takes the best for the class; the others are refused (NotApplicable) where they do not apply.
-enum class Method { automatic, quadrature, hidden, general, companion, meirovitch };
 
 /// All roots of one connected component of M q̈ + G q̇ + K q = 0 (or I q̇ + G q = 0), as a solver leaves them: not yet certified.
 struct Spectrum {

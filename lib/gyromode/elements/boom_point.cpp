@@ -59,11 +59,6 @@ void add_beam_point(const Beam& b, const Mesh& mesh, const System& twin, const B
 
 }  // namespace
 
-std::string BoomPoint::name() const {
-  if (part == Part::mass) return fmt::format("mass{}", number);
-  return fmt::format("{}{}@{:g}", part == Part::cable ? "cable" : "beam", number, along);
-}
-
 void require_point(const Spacecraft& s, const BoomPoint& p) {
   const std::size_t count = p.part == BoomPoint::Part::cable ? s.cables().size() : p.part == BoomPoint::Part::beam ? s.beams().size() : s.masses().size();
   if (p.number < 1 || static_cast<std::size_t>(p.number) > count) throw InvalidArgument(fmt::format("{}: the spacecraft has {} of that kind", p.name(), count));

@@ -1,18 +1,9 @@
 #pragma once
 
+#include "gyromode/appendage/parts.h"
 #include "gyromode/elements/discretise.h"
 
 namespace gyromode {
-
-/// A point of a boom or a sprung mass.
-struct BoomPoint {
-  enum class Part { cable, beam, mass };
-  Part part = Part::cable;
-  Index number = 1;    ///< from 1, in the order of the model
-  double along = 1;    ///< from root, 0, to tip, 1; of no meaning for a mass
-
-  std::string name() const;  ///< "cable1@0.5", "mass2"
-};
 
 /// Throws InvalidArgument where the spacecraft has no such part, or `along` is outside [0, 1].
 void require_point(const Spacecraft& s, const BoomPoint& point);

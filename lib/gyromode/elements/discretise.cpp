@@ -3,6 +3,7 @@
 #include "gyromode/elements/elements.h"
 #include "gyromode/elements/quadratic_energy.h"
 #include "gyromode/lapack/small.h"
+#include "gyromode/system/laws.h"
 
 #include <fmt/format.h>
 

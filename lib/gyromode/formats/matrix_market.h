@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace gyromode::io {
+namespace gyromode {
 
 /// Symmetry that a Matrix Market header declares. The file then stores the lower triangle (for skew-symmetric: without the diagonal).
 enum class Symmetry { general, symmetric, skew_symmetric };
@@ -36,4 +36,4 @@ void write_matrix_market(const std::filesystem::path& file, const Matrix& a, Sym
 /// The text that write_matrix_market() writes. Each line of `comment` becomes a line that starts with "% ".
 std::string format_matrix_market(const Matrix& a, Symmetry symmetry, std::string_view comment = {});
 
-}  // namespace gyromode::io
+}  // namespace gyromode

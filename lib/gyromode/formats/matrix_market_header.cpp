@@ -93,6 +93,10 @@ Size read_size(Lines& lines, const Banner& banner) {
   return size;
 }
 
+}  // namespace gyromode::io
+
+namespace gyromode {
+
 bool fits_dense(Index rows, Index cols, Index entries) {
   constexpr Index always = (Index{256} << 20) / Index{sizeof(double)};
   constexpr Index longest = 46'000;  // about where LAPACK's 32-bit indices end: 46 340² = 2³¹
@@ -100,4 +104,4 @@ bool fits_dense(Index rows, Index cols, Index entries) {
   return std::max(rows, cols) <= longest && entries >= std::min(rows, cols);
 }
 
-}  // namespace gyromode::io
+}  // namespace gyromode

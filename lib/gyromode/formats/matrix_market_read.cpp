@@ -15,9 +15,11 @@
 #include <tuple>
 #include <vector>
 
-namespace gyromode::io {
+namespace gyromode {
 
 namespace {
+
+using namespace io;
 
 struct Entry {
   Index row = 0;  // counted from 0
@@ -160,4 +162,4 @@ Matrix parse_matrix_market(std::string_view text, const std::filesystem::path& n
 
 Matrix read_matrix_market(const std::filesystem::path& file) { return parse_matrix_market(read_text(file, "Matrix Market"), file); }
 
-}  // namespace gyromode::io
+}  // namespace gyromode

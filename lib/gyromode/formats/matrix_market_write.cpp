@@ -8,9 +8,11 @@
 #include <cmath>
 #include <iterator>
 
-namespace gyromode::io {
+namespace gyromode {
 
 namespace {
+
+using namespace io;
 
 std::string_view to_string(Symmetry symmetry) {
   switch (symmetry) {
@@ -97,4 +99,4 @@ void write_matrix_market(const std::filesystem::path& file, const Matrix& a, Sym
   write_file(file, format_matrix_market(a, symmetry, comment));
 }
 
-}  // namespace gyromode::io
+}  // namespace gyromode

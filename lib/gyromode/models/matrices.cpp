@@ -2,9 +2,10 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/models/response_facts.h"
-#include "gyromode/modes/keep.h"
 #include "gyromode/stability/stability_margin.h"
 #include "gyromode/structure/inertia_of_k.h"
+#include "gyromode/structure/ignored_couplings.h"
+#include "gyromode/structure/reversing_symmetry.h"
 
 #include <fmt/format.h>
 
@@ -14,39 +15,13 @@ namespace gyromode {
 
 namespace {
 
-dense::Method method_named(const std::string& name) {
-  if (name == "auto") return dense::Method::automatic;
-  if (name == "quadrature") return dense::Method::quadrature;
-  if (name == "hidden") return dense::Method::hidden;
-  if (name == "general") return dense::Method::general;
-  if (name == "first-order") return dense::Method::companion;
-  if (name == "symmetric-2n") return dense::Method::meirovitch;
-  throw NotApplicable(fmt::format("method '{}' serves spacecraft models with continuum booms, and this is a matrix model; 'auto', 'quadrature', 'hidden', 'general', 'first-order' or 'symmetric-2n' apply", name));
-}
-
-ModesOptions options_of(const ModesRequest& request) {
-  ModesOptions options = request.options;
-  options.method = method_named(request.method);
-  return options;
-}
-
-std::vector<Index> positions_of(const Labels& chosen, const Labels& all) {
-  std::vector<Index> positions;
-  for (const std::string& label : chosen) positions.push_back(std::find(all.begin(), all.end(), label) - all.begin());
-  if (std::find(positions.begin(), positions.end(), static_cast<Index>(all.size())) != positions.end()) throw InvalidArgument("keep: a label is no coordinate of the model");
-  return positions;
-}
-
 double largest(const Matrix& a) { return a.cwiseAbs().maxCoeff(); }
 
 }  // namespace
 
 MatricesModel::MatricesModel(SpinFamily family, double spin) : system_(family.at(spin)), family_(std::make_shared<const SpinFamily>(std::move(family))), spin_(spin) {}
 
-ModesResult MatricesModel::modes(const ModesRequest& request) const {
-  if (request.keep.empty()) return find_modes(system_, options_of(request));
-  return find_modes_keeping(system_, positions_of(request.keep, labels()), options_of(request));
-}
+ModesResult MatricesModel::modes(const ModesOptions& options) const { return find_modes(system_, options); }
 
 CountResult MatricesModel::count(const Window& window) const { return count_modes(system_, window); }
 
@@ -99,10 +74,7 @@ std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> MatricesModel::wit
   return {std::move(without), ignored_couplings(system_, tolerance)};
 }
 
-ModesResult FirstOrderModel::modes(const ModesRequest& request) const {
-  if (!request.keep.empty()) throw NotApplicable("--keep condenses M, G, K of second order; this model is of first order");
-  return find_modes(system_, options_of(request));
-}
+ModesResult FirstOrderModel::modes(const ModesOptions& options) const { return find_modes(system_, options); }
 
 CountResult FirstOrderModel::count(const Window& window) const { return count_modes(system_, window); }
 

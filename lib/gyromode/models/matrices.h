@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/models/model.h"
+#include "gyromode/models/model_kind.h"
 #include "gyromode/models/matrix_parameters.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/spin_family.h"
@@ -26,7 +26,7 @@ class MatricesModel : public ModelKind {
   Index size() const override { return system_.size(); }
   const Labels& labels() const override { return system_.labels(); }
   std::string_view in_words() const override { return "M, G, K in turning axes"; }
-  ModesResult modes(const ModesRequest& request) const override;
+  ModesResult modes(const ModesOptions& options) const override;
   CountResult count(const Window& window) const override;
   StabilityReport stability() const override;
   StructureReport structure(std::optional<double> at) const override;
@@ -58,7 +58,7 @@ class FirstOrderModel : public ModelKind {
   Index size() const override { return system_.size(); }
   const Labels& labels() const override { return system_.labels(); }
   std::string_view in_words() const override { return "first order"; }
-  ModesResult modes(const ModesRequest& request) const override;
+  ModesResult modes(const ModesOptions& options) const override;
   CountResult count(const Window& window) const override;
   StructureReport structure(std::optional<double> at) const override;
   std::vector<Parameter> parameters() const override;

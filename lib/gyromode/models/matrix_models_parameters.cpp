@@ -2,6 +2,7 @@
 #include "gyromode/models/matrices.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/models/parameter_keys.h"
 
 #include <fmt/format.h>
 

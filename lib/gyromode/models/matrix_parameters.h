@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/base/types.h"
-#include "gyromode/models/parameters.h"
+#include "gyromode/models/parameter_keys.h"
 
 #include <optional>
 #include <string_view>

@@ -1,50 +1,43 @@
 #include "gyromode/models/model.h"
 
-#include "gyromode/base/error.h"
-
-#include <fmt/format.h>
+#include "gyromode/models/matrices.h"
+#include "gyromode/models/model_kind.h"
+#include "gyromode/models/spacecraft_model.h"
+#include "gyromode/models/stability_over.h"
 
 namespace gyromode {
 
-ModesResult ModelKind::verdict(bool with_shapes) const {
-  ModesRequest request;
-  request.options.shapes = with_shapes;
-  if (!finite()) request.options.lowest = 1;  // the verdict needs no window
-  return modes(request);
+Model::Model(std::shared_ptr<const ModelKind> kind_of_model, std::string word) : kind(std::move(word)), body(std::move(kind_of_model)) {}
+Model::Model(System system) : Model(std::make_shared<MatricesModel>(std::move(system)), "matrices") {}
+Model::Model(FirstOrderSystem system) : Model(std::make_shared<FirstOrderModel>(std::move(system)), "first_order") {}
+Model::Model(SpinFamily family, double spin_of_axes) : Model(std::make_shared<MatricesModel>(std::move(family), spin_of_axes), "matrices") { spin = spin_of_axes; }
+Model::Model(Spacecraft spacecraft) : Model(std::make_shared<SpacecraftModel>(spacecraft), "spacecraft") { spin = spacecraft.spin(); }
+
+Index Model::size() const { return body->size(); }
+const Labels& Model::labels() const { return body->labels(); }
+ModesResult Model::modes(const ModesOptions& options) const { return body->modes(options); }
+CountResult Model::count(const Window& window) const { return body->count(window); }
+StabilityReport Model::stability() const { return body->stability(); }
+StabilityMap Model::stability_over(const std::vector<ParameterAxis>& axes, const Progress& progress) const { return gyromode::stability_over(*body, axes, progress); }
+StructureReport Model::structure(std::optional<double> at) const { return body->structure(at); }
+ResponseReport Model::response(const MotionRequest& request) const { return body->response(request); }
+FrequencyReport Model::frequency_response(const FrequencyRequest& request) const { return body->frequency_response(request); }
+std::vector<Parameter> Model::parameters() const { return body->parameters(); }
+
+Model Model::with(const std::vector<ParameterValue>& values) const {
+  Model m = *this;
+  m.body = body->with(values);
+  if (spin) m.spin = m.body->parameter("spin")->value;
+  m.known = {};
+  return m;
 }
 
-StabilityReport ModelKind::stability() const {
-  StabilityReport r;
-  r.result = verdict(true);
-  return r;
-}
-
-void ModelKind::require_motion() const { throw NotApplicable(fmt::format("response needs a model of second order, with displacements and velocities; this one is: {}", in_words())); }
-
-ResponseReport ModelKind::response(const MotionRequest&) const {
-  require_motion();
-  throw NotApplicable(fmt::format("no response is known of this kind of model: {}", in_words()));
-}
-
-FrequencyReport ModelKind::frequency_response(const FrequencyRequest&) const {
-  throw NotApplicable("--frequencies is for matrix models of second order (gyromode convert writes the matrices of a spacecraft)");
-}
-
-std::optional<Parameter> ModelKind::parameter(std::string_view key) const {
-  for (Parameter& p : parameters()) {
-    if (names(key, p.key)) return std::move(p);
-  }
-  return std::nullopt;
-}
-
-std::shared_ptr<const ModelKind> ModelKind::with(const std::vector<ParameterValue>& values) const {
-  throw InvalidArgument(fmt::format("'{}' is no parameter: this kind of model has none", values.empty() ? "" : values.front().key));
-}
-
-std::shared_ptr<const ModelKind> ModelKind::discretised(std::optional<Index>) const { throw NotApplicable("finite elements (--method discrete, --elements) serve models of parts, such as spacecraft; this one is made of matrices"); }
-
-std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> ModelKind::without_couplings(double) const {
-  throw NotApplicable("--coupling-tolerance is for matrix models: the couplings of a spacecraft follow from its parts");
+Model Model::without_couplings(double tolerance) const {
+  Model m = *this;
+  auto [without, what] = body->without_couplings(tolerance);
+  m.body = std::move(without);
+  m.ignored = what;
+  return m;
 }
 
 }  // namespace gyromode

@@ -1,91 +1,23 @@
 #pragma once
 
 #include "gyromode/base/labels.h"
-#include "gyromode/elements/boom_point.h"
 #include "gyromode/models/parameters.h"
 #include "gyromode/models/reports.h"
-#include "gyromode/modes/count.h"
+#include "gyromode/models/requests.h"
 #include "gyromode/modes/modes.h"
-#include "gyromode/structure/ignored_couplings.h"
+#include "gyromode/spacecraft/spacecraft.h"
+#include "gyromode/system/first_order_system.h"
+#include "gyromode/system/spin_family.h"
+#include "gyromode/system/system.h"
 
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace gyromode {
 
-/// What is asked of the modes of a model, of whatever kind.
-struct ModesRequest {
-  ModesOptions options;         ///< `method` is left at automatic: it follows from the name below
-  std::string method = "auto";  ///< a name of --method; each kind knows its own
-  Labels keep;                  ///< coordinates to see the modes from; empty: all
-};
-
-/// A motion over time that is asked for.
-struct MotionRequest {
-  State initial;                  ///< q and q̇ at t = 0, n each
-  std::vector<Force> forces;
-  std::vector<BoomPoint> points;  ///< places on the booms of a spacecraft whose displacement is wanted too
-  Vector times;                   ///< s, ≥ 0, ascending
-  bool rates = false;             ///< velocities are to be written as well
-  Progress progress;
-};
-
-/// A response at steady frequencies that is asked for.
-struct FrequencyRequest {
-  Vector amplitude;  ///< f of f e^{jωt}, n
-  Vector grid;       ///< rad per unit of time, ascending
-  Progress progress;
-};
-
-/// A kind of model: what it says of itself, and what it answers. Questions that a kind has no answer to throw NotApplicable, with what to use instead.
-class ModelKind {
- public:
-  virtual ~ModelKind() = default;
-
-  virtual Index size() const = 0;
-  virtual const Labels& labels() const = 0;
-  /// For people, after the number of coordinates: "M, G, K in turning axes".
-  virtual std::string_view in_words() const = 0;
-  /// Whether H depends on ω by more than powers: there may be infinitely many modes.
-  virtual bool transcendental() const { return false; }
-  virtual bool finite() const { return true; }
-
-  virtual ModesResult modes(const ModesRequest& request) const = 0;
-  virtual CountResult count(const Window& window) const = 0;
-  /// The modes that a verdict on stability needs, and no more.
-  virtual ModesResult verdict(bool with_shapes) const;
-  virtual StabilityReport stability() const;
-  /// `at`: also H there, rad per unit of time.
-  virtual StructureReport structure(std::optional<double> at) const = 0;
-  /// Throws NotApplicable unless it has displacements and velocities that move over time.
-  virtual void require_motion() const;
-  virtual ResponseReport response(const MotionRequest& request) const;
-  virtual FrequencyReport frequency_response(const FrequencyRequest& request) const;
-
-  /// The numbers it is made of, those worth listing; further ones may be named.
-  virtual std::vector<Parameter> parameters() const { return {}; }
-  /// The first number that a key names ([*] for every item); nothing where it names none.
-  virtual std::optional<Parameter> parameter(std::string_view key) const;
-  /// The same model with other values of its parameters. Throws LawBroken where they make none; InvalidArgument where a key names no parameter.
-  virtual std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const;
-
-  /// The system of second order that the model is; null where it is none.
-  virtual const System* second_order() const { return nullptr; }
-  /// Its matrices by the names that files of them have: M, G, K; I, G. Empty where it is not made of matrices.
-  struct NamedMatrix {
-    std::string name, meaning;
-    bool skew = false;
-    const Matrix* matrix = nullptr;
-  };
-  virtual std::vector<NamedMatrix> matrices() const { return {}; }
-  /// The same model in finite elements.
-  virtual std::shared_ptr<const ModelKind> discretised(std::optional<Index> elements) const;
-  /// The same model without its couplings up to `tolerance`, and what was left out.
-  virtual std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> without_couplings(double tolerance) const;
-};
+class ModelKind;
 
 /// What a model file declares to be known of it, for whoever wants to check: never used in a computation.
 struct KnownValues {
@@ -94,19 +26,50 @@ struct KnownValues {
   std::string system_class;         ///< quadrature, hidden_quadrature, general or transcendental, or empty
 };
 
-/// A model, and where it comes from.
+/// A model of whatever kind, from a file or built in code, and what the program answers of it. Copies share what they are made of, which never changes.
+///
+/// Frequencies are in rad per unit of time of the model (rad/s in SI). Questions that a kind has no answer to throw NotApplicable, with what to use instead.
 struct Model {
+  Model(System system);
+  Model(FirstOrderSystem system);
+  Model(SpinFamily family, double spin);
+  Model(Spacecraft spacecraft);
+  /// Of a kind of one's own.
+  explicit Model(std::shared_ptr<const ModelKind> kind_of_model, std::string word = "");
+
   std::string title;
   std::string reference;
   std::string kind;            ///< its word in model files
-  std::string sha256;          ///< of the model file followed by its matrix files, in the order M, G, K, per-spin ones (I, G)
+  std::string sha256;          ///< of the model file followed by its matrix files, in the order M, G, K, per-spin ones (I, G); empty of a model built in code
   std::shared_ptr<const ModelKind> body;
   std::optional<double> spin;  ///< rad/s, where the model depends on it
   KnownValues known;
-  std::optional<IgnoredCouplings> ignored = std::nullopt;  ///< where `body` is that of the file without its weak couplings
+  std::optional<IgnoredCouplings> ignored;  ///< where `body` is that of the file without its weak couplings
 
-  Index size() const { return body->size(); }
-  const Labels& labels() const { return body->labels(); }
+  Index size() const;             ///< n, the number of coordinates
+  const Labels& labels() const;   ///< of the coordinates, n
+
+  /// All modes of a window, or the lowest so many, with verdict and certificate. @throws see find_modes()
+  ModesResult modes(const ModesOptions& options = {}) const;
+  /// How many modes a window holds. @throws see count_modes()
+  CountResult count(const Window& window) const;
+  /// The verdict with what it rests on.
+  StabilityReport stability() const;
+  /// The verdict over a grid of one or two parameters, with critical values. @throws InvalidArgument where a key names no parameter
+  StabilityMap stability_over(const std::vector<ParameterAxis>& axes, const Progress& progress = {}) const;
+  /// What class it is in and why; with `at` (rad per unit of time, above 0 for a spacecraft) H there, the transformation and H*.
+  StructureReport structure(std::optional<double> at = std::nullopt) const;
+  /// Motion over time. @throws InvalidArgument for sizes that do not fit; NotApplicable for models of first order
+  ResponseReport response(const MotionRequest& request) const;
+  /// The response to f e^{jωt} over a grid of ω. @throws NotApplicable but for matrix models of second order
+  FrequencyReport frequency_response(const FrequencyRequest& request) const;
+
+  /// The numbers it is made of.
+  std::vector<Parameter> parameters() const;
+  /// The same model with other values of some. @throws InvalidArgument for a key that names none; LawBroken where the values make no model
+  Model with(const std::vector<ParameterValue>& values) const;
+  /// The same model without its couplings up to `tolerance` of the largest entry of their matrix: an approximation. @throws NotApplicable for a spacecraft
+  Model without_couplings(double tolerance) const;
 };
 
 }  // namespace gyromode

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "gyromode/modes/effective_axes.h"
 #include "gyromode/motion/frequency_response.h"
 #include "gyromode/motion/response.h"
-#include "gyromode/spacecraft/clamped_booms.h"
+#include "gyromode/spacecraft/boom_facts.h"
 #include "gyromode/spectrum/result.h"
 #include "gyromode/structure/realify.h"
 #include "gyromode/stability/stability_map.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/base/error.h"
-#include "gyromode/models/model.h"
+#include "gyromode/models/model_kind.h"
 
 #include <fmt/format.h>
 

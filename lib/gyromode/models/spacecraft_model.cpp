@@ -8,6 +8,8 @@
 #include "gyromode/modes/spacecraft.h"
 #include "gyromode/modes/spacecraft_spectrum.h"
 #include "gyromode/motion/spacecraft_response.h"
+#include "gyromode/spacecraft/clamped_booms.h"
+#include "gyromode/modes/effective_axes.h"
 
 #include <fmt/format.h>
 
@@ -15,18 +17,11 @@ namespace gyromode {
 
 namespace {
 
-void require_no_keep(const ModesRequest& request) {
-  if (!request.keep.empty()) throw NotApplicable("--keep condenses matrix models; a spacecraft is seen from its body already (gyromode convert writes its matrices)");
-}
-
 // Matrices, of which the modes of the body are named.
 class TwinModel : public MatricesModel {
  public:
   TwinModel(const Spacecraft& s, const Mesh& mesh) : MatricesModel(discretise(s, mesh)), spacecraft_(s), mesh_(mesh) {}
-  ModesResult modes(const ModesRequest& request) const override {
-    require_no_keep(request);
-    return find_modes(spacecraft_, mesh_, request.options);
-  }
+  ModesResult modes(const ModesOptions& options) const override { return find_modes_of_twin(spacecraft_, mesh_, system(), options); }
 
  private:
   Spacecraft spacecraft_;
@@ -35,13 +30,7 @@ class TwinModel : public MatricesModel {
 
 }  // namespace
 
-ModesResult SpacecraftModel::modes(const ModesRequest& request) const {
-  require_no_keep(request);
-  if (request.method != "auto" && request.method != "exact") {
-    throw NotApplicable("the methods 'quadrature', 'hidden', 'general', 'first-order' and 'symmetric-2n' serve matrices; a spacecraft takes 'exact' or 'discrete'");
-  }
-  return find_modes(spacecraft_, request.options);
-}
+ModesResult SpacecraftModel::modes(const ModesOptions& options) const { return find_modes(spacecraft_, options); }
 
 CountResult SpacecraftModel::count(const Window& window) const { return count_modes(spacecraft_, window); }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/models/model.h"
+#include "gyromode/models/model_kind.h"
 #include "gyromode/spacecraft/spacecraft.h"
 
 namespace gyromode {
@@ -16,7 +16,7 @@ class SpacecraftModel : public ModelKind {
   std::string_view in_words() const override { return "of the body, exact booms; turning axes"; }
   bool transcendental() const override { return true; }
   bool finite() const override { return spacecraft_.cables().empty() && spacecraft_.beams().empty(); }
-  ModesResult modes(const ModesRequest& request) const override;
+  ModesResult modes(const ModesOptions& options) const override;
   CountResult count(const Window& window) const override;
   StructureReport structure(std::optional<double> at) const override;
   void require_motion() const override {}

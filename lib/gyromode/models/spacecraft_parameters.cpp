@@ -1,5 +1,6 @@
 // The parameters of a spacecraft: its spin, and every number of its parts.
 #include "gyromode/base/error.h"
+#include "gyromode/models/parameter_keys.h"
 #include "gyromode/models/spacecraft_model.h"
 #include "gyromode/spacecraft/part_numbers.h"
 

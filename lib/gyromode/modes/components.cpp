@@ -29,7 +29,7 @@ SolvedComponent certified(Impedance impedance, dense::Spectrum spectrum, const P
 }
 
 template <class AnySystem>
-SolvedComponent solved_component(const AnySystem& system, const Component& component, dense::Method method, const Progress& progress) {
+SolvedComponent solved_component(const AnySystem& system, const Component& component, Method method, const Progress& progress) {
   go_on(progress);
   Impedance impedance = dense::impedance_of(system, component, method);
   dense::Spectrum spectrum = dense::solve(impedance, component, method);
@@ -62,9 +62,9 @@ bool better(const SolvedComponent& a, const SolvedComponent& b) { return a.verdi
 // A solver of one scale loses roots far below the largest where spin is strong or K graded and indefinite. Where the result does not convince, the general solver has a try (λ of the first-order form keeps roots that ω²
 // loses), and then, in a small system, every root is found in its own scale.
 template <class AnySystem>
-SolvedComponent best_component(const AnySystem& system, const Component& component, dense::Method method, const Progress& progress) {
+SolvedComponent best_component(const AnySystem& system, const Component& component, Method method, const Progress& progress) {
   SolvedComponent best = solved_component(system, component, method, progress);
-  if (method != dense::Method::automatic || convincing(best) || !best.impedance.second_order()) return best;
+  if (method != Method::automatic || convincing(best) || !best.impedance.second_order()) return best;
   constexpr Index own_scale_up_to = 48;
   if (best.impedance.size() <= own_scale_up_to) {
     Impedance h = best.impedance.with_null_coordinates().value_or(best.impedance);
@@ -78,23 +78,23 @@ SolvedComponent best_component(const AnySystem& system, const Component& compone
   }
   const bool by_partition = component.quadrature() || component.hidden_quadrature();
   if (convincing(best) || (best.spectrum.stiffness_negative == 0 && component.quadrature()) || !by_partition) return best;
-  SolvedComponent again = solved_component(system, component, dense::Method::general, progress);
+  SolvedComponent again = solved_component(system, component, Method::general, progress);
   if (!better(again, best)) return best;
   again.spectrum.solver += " (quadrature solver did not convince)";
   return again;
 }
 
 // A reversing symmetry is of use to two methods only.
-HiddenSearch search_for(dense::Method method) {
-  if (method == dense::Method::hidden) return HiddenSearch::always;
-  return method == dense::Method::automatic ? HiddenSearch::by_cost : HiddenSearch::never;
+HiddenSearch search_for(Method method) {
+  if (method == Method::hidden) return HiddenSearch::always;
+  return method == Method::automatic ? HiddenSearch::by_cost : HiddenSearch::never;
 }
 
-Structure structure_for(const System& system, dense::Method method) { return analyse(system, search_for(method)); }
-Structure structure_for(const FirstOrderSystem& system, dense::Method) { return analyse(system); }
+Structure structure_for(const System& system, Method method) { return analyse(system, search_for(method)); }
+Structure structure_for(const FirstOrderSystem& system, Method) { return analyse(system); }
 
 template <class AnySystem>
-SolvedSystem solved(const AnySystem& system, dense::Method method, const Progress& progress) {
+SolvedSystem solved(const AnySystem& system, Method method, const Progress& progress) {
   SolvedSystem s;
   s.structure = structure_for(system, method);
   s.size = system.size();
@@ -139,9 +139,9 @@ bool opposite_roots_coincide(const SolvedSystem& s) {
 
 }  // namespace
 
-SolvedSystem solve_components(const System& system, dense::Method method, const Progress& progress) { return solved(system, method, progress); }
+SolvedSystem solve_components(const System& system, Method method, const Progress& progress) { return solved(system, method, progress); }
 
-SolvedSystem solve_components(const FirstOrderSystem& system, dense::Method method, const Progress& progress) {
+SolvedSystem solve_components(const FirstOrderSystem& system, Method method, const Progress& progress) {
   SolvedSystem s = solved(system, method, progress);
   s.first_order = true;
   return s;

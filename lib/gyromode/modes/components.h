@@ -40,7 +40,7 @@ struct SolvedSystem {
 };
 
 /// All components; `progress` is told "components". Throws Interrupted where it stops before the first is solved.
-SolvedSystem solve_components(const System& system, dense::Method method, const Progress& progress = {});
-SolvedSystem solve_components(const FirstOrderSystem& system, dense::Method method, const Progress& progress = {});
+SolvedSystem solve_components(const System& system, Method method, const Progress& progress = {});
+SolvedSystem solve_components(const FirstOrderSystem& system, Method method, const Progress& progress = {});
 
 }  // namespace gyromode

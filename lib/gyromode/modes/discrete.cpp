@@ -1,5 +1,6 @@
 #include "gyromode/modes/discrete.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/elements/spin_phase.h"
 #include "gyromode/modes/shape.h"
 
@@ -23,8 +24,8 @@ bool name_tilt(ModesResult& r, double spin) {
 
 }  // namespace
 
-ModesResult find_modes(const Spacecraft& spacecraft, const Mesh& mesh, const ModesOptions& options) {
-  const System whole = discretise(spacecraft, mesh);
+ModesResult find_modes_of_twin(const Spacecraft& spacecraft, const Mesh& mesh, const System& whole, const ModesOptions& options) {
+  if (!options.keep.empty()) throw NotApplicable("--keep condenses matrix models; a spacecraft is seen from its body already (gyromode convert writes its matrices)");
   const WithoutSpinPhase rest(whole, spin_phase_of_twin);
   ModesResult r = find_modes(rest.system(), options);
   if (options.lowest && name_tilt(r, spacecraft.spin())) {  // it is not one of those asked for

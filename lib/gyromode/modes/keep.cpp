@@ -83,6 +83,7 @@ ReducedImpedance reduced_impedance(const System& system, const std::vector<Index
 
 ModesResult find_modes_keeping(const System& system, const std::vector<Index>& kept, const ModesOptions& options) {
   ModesOptions with_shapes = options;
+  with_shapes.keep.clear();
   with_shapes.shapes = true;
   ModesResult r = find_modes(system, with_shapes);
   mark_local(r.modes, system, r.structure, kept);

@@ -26,7 +26,8 @@ Structure analyse(const Spacecraft& spacecraft) {
 
 ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options) {
   require_options(options);
-  if (options.method != dense::Method::automatic) {
+  if (!options.keep.empty()) throw NotApplicable("--keep condenses matrix models; a spacecraft is seen from its body already (gyromode convert writes its matrices)");
+  if (options.method != Method::automatic && options.method != Method::exact) {
     throw NotApplicable("the methods 'quadrature', 'hidden', 'general', 'first-order' and 'symmetric-2n' serve matrices; a spacecraft takes 'exact' or 'discrete'");
   }
   require_within_reach(spacecraft, options.window);

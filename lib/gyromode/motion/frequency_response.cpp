@@ -3,6 +3,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/lapack/indefinite.h"
 #include "gyromode/system/scale.h"
+#include "gyromode/motion/driven_modes.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +25,7 @@ void require(const Vector& force, const Vector& grid, Index n) {
 
 std::vector<DrivenMode> modes_in(const System& system, const Vector& force, const Vector& grid) {
   const UnitMasses units = with_unit_masses(system);
-  std::vector<DrivenMode> all = driven_modes(solve_components(units.system, dense::Method::automatic), units, units.scale.cwiseProduct(force));
+  std::vector<DrivenMode> all = driven_modes(solve_components(units.system, Method::automatic), units, units.scale.cwiseProduct(force));
   std::erase_if(all, [&](const DrivenMode& m) { return m.omega + m.error < grid(0) || m.omega - m.error > grid(grid.size() - 1); });
   return all;
 }

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "gyromode/modes/modes.h"
+#include "gyromode/base/progress.h"
 #include "gyromode/motion/state.h"
-#include "gyromode/motion/unit_masses.h"
+#include "gyromode/spectrum/verdict.h"
+#include "gyromode/system/system.h"
 
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 namespace gyromode {
 
 class ComponentMotion;
+struct UnitMasses;
 
 /// One undamped mode's share of a motion: q_s(t) = amplitude · Re(X e^{j(ωt + phase)}) (Boland & Janssens 1979, Eq. 7).
 struct ModalShare {
@@ -29,23 +31,6 @@ struct History {
   Matrix q, qdot;
   bool interrupted = false;  ///< work was stopped: the times that were asked for beyond the last are left out
 };
-/// Of anything that has at(t). `progress` is told "times".
-template <class Motion>
-History history_of(const Motion& motion, Index coordinates, const Vector& times, const Progress& progress) {
-  History h{times, Matrix(coordinates, times.size()), Matrix(coordinates, times.size())};
-  for (Index k = 0; k < times.size(); ++k) {
-    if (progress.stopped()) {
-      h = {Vector(times.head(k)), Matrix(h.q.leftCols(k)), Matrix(h.qdot.leftCols(k)), true};
-      break;
-    }
-    progress.report("times", k, times.size());
-    const State w = motion.at(times(k));
-    h.q.col(k) = w.q;
-    h.qdot.col(k) = w.qdot;
-  }
-  return h;
-}
-
 /// The motion of M q̈ + G q̇ + K q = Σ f u(t) from given q(0), q̇(0), at any time t ≥ 0 without stepping: simple undamped modes as such, zero roots as displaced rest and steady drift, exactly
 /// linear in t; growing motions and double roots by the exponential on their own invariant subspace.
 class Response {
@@ -83,7 +68,7 @@ class Response {
 
   std::vector<std::unique_ptr<ComponentMotion>> parts_;
   std::vector<ModalShare> modal_;
-  UnitMasses units_;
+  std::unique_ptr<const UnitMasses> units_;
   State start_;  // at t = 0⁺, in the given coordinates
   double initial_energy_ = 0, zero_energy_ = 0, remainder_energy_ = 0, departure_ = 0, phase_drift_ = 0;
   Stability stability_ = Stability::unknown;

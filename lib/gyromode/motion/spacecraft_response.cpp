@@ -1,5 +1,7 @@
 #include "gyromode/motion/spacecraft_response.h"
 
+#include "gyromode/motion/history.h"
+
 #include "gyromode/base/error.h"
 #include "gyromode/modes/shape.h"
 

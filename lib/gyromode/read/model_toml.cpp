@@ -18,9 +18,11 @@
 #include <iterator>
 #include <memory>
 
-namespace gyromode::io {
+namespace gyromode {
 
 namespace {
+
+using namespace io;
 
 constexpr std::array<std::string_view, 11> matrices_keys{"kind", "title", "reference", "known", "labels", "mass", "gyroscopic", "stiffness", "spin",
                                                          "gyroscopic_per_spin", "stiffness_per_spin2"};
@@ -150,7 +152,13 @@ Model parse_model(std::string_view text, const std::filesystem::path& name) {
   digest.add(text);
   std::optional<double> spin;
   std::shared_ptr<const ModelKind> body = kind->read(table, spin, digest);
-  return {table.text("title").value_or(name.stem().string()), table.text("reference").value_or(""), word, digest.sha256(), std::move(body), spin, read_known(table)};
+  Model model(std::move(body), word);
+  model.title = table.text("title").value_or(name.stem().string());
+  model.reference = table.text("reference").value_or("");
+  model.sha256 = digest.sha256();
+  model.spin = spin;
+  model.known = read_known(table);
+  return model;
 }
 
 Model read_matrices(const std::filesystem::path& mass, const std::optional<std::filesystem::path>& gyroscopic, const std::filesystem::path& stiffness) {
@@ -168,7 +176,10 @@ Model read_matrices(const std::filesystem::path& mass, const std::optional<std::
   Matrix m = read(mass);
   Matrix g = gyroscopic ? read(*gyroscopic) : Matrix::Zero(n, n);
   Matrix k = read(stiffness);
-  return {mass.stem().string(), "", "matrices", digest.sha256(), std::make_shared<MatricesModel>(System(std::move(m), std::move(g), std::move(k))), std::nullopt, {}};
+  Model model{System(std::move(m), std::move(g), std::move(k))};
+  model.title = mass.stem().string();
+  model.sha256 = digest.sha256();
+  return model;
 }
 
-}  // namespace gyromode::io
+}  // namespace gyromode

@@ -2,6 +2,9 @@
 
 #include "gyromode/base/rounding.h"
 #include "gyromode/roots/converge.h"
+#include "gyromode/appendage/cable.h"
+#include "gyromode/appendage/beam.h"
+#include "gyromode/appendage/spring_mass.h"
 
 #include <fmt/format.h>
 

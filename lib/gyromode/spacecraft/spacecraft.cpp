@@ -1,6 +1,9 @@
 #include "gyromode/spacecraft/spacecraft.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/appendage/cable.h"
+#include "gyromode/appendage/beam.h"
+#include "gyromode/appendage/spring_mass.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "gyromode/appendage/beam.h"
-#include "gyromode/appendage/cable.h"
-#include "gyromode/appendage/spring_mass.h"
-#include "gyromode/system/laws.h"
+#include "gyromode/appendage/mass_properties.h"
+#include "gyromode/appendage/parts.h"
+#include "gyromode/base/labels.h"
 
 #include <optional>
 #include <string>

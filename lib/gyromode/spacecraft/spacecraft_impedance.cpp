@@ -3,6 +3,9 @@
 #include "gyromode/appendage/hub_impedance.h"
 #include "gyromode/base/rounding.h"
 #include "gyromode/lapack/small.h"
+#include "gyromode/appendage/cable.h"
+#include "gyromode/appendage/beam.h"
+#include "gyromode/appendage/spring_mass.h"
 
 #include <algorithm>
 #include <cmath>

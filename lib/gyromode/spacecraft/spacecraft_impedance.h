@@ -2,6 +2,7 @@
 
 #include "gyromode/roots/lifted_impedance.h"
 #include "gyromode/spacecraft/spacecraft.h"
+#include "gyromode/appendage/appendage.h"
 
 #include <memory>
 

@@ -1,5 +1,11 @@
 #include "gyromode/spectrum/result.h"
 
+#include "gyromode/base/error.h"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
 namespace gyromode {
 
 std::string_view to_string(ModeKind kind) {
@@ -24,6 +30,28 @@ std::string_view to_string(CountStatus status) {
     case CountStatus::signed_only: return "signed_only";
     default: return "doubtful";
   }
+}
+
+std::vector<double> ModesResult::frequencies() const {
+  std::vector<double> all;
+  for (const Mode& m : modes) all.push_back(m.omega);
+  return all;
+}
+
+ComplexMatrix ModesResult::shapes() const {
+  if (modes.empty()) return ComplexMatrix(0, 0);
+  ComplexMatrix all(modes.front().shape.size(), static_cast<Index>(modes.size()));
+  for (Index k = 0; k < all.cols(); ++k) {
+    const ComplexVector& shape = modes[static_cast<std::size_t>(k)].shape;
+    if (shape.size() == 0) throw InvalidArgument("shapes were not asked for: ModesOptions::shapes");
+    all.col(k) = shape;
+  }
+  return all;
+}
+
+std::ostream& operator<<(std::ostream& out, const ModesResult& r) {
+  for (const Mode& m : r.modes) out << fmt::format("{:.15g} rad/s, energy {}, {}\n", m.omega, m.energy_sign > 0 ? "+" : m.energy_sign < 0 ? "-" : "0", to_string(m.kind));
+  return out << fmt::format("{}; {}: found {}{}\n", to_string(r.stability), to_string(r.coverage.status), r.coverage.found, r.coverage.counted ? fmt::format(", counted {}", *r.coverage.counted) : "");
 }
 
 }  // namespace gyromode

@@ -2,10 +2,11 @@
 
 #include "gyromode/spectrum/verdict.h"
 #include "gyromode/spectrum/window.h"
-#include "gyromode/structure/inertia_of_k.h"
+#include "gyromode/structure/definiteness.h"
 #include "gyromode/structure/structure.h"
 
 #include <array>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -92,6 +93,16 @@ struct ModesResult {
   std::vector<Mode> modes;             ///< in the window, ascending in ω
   std::vector<Mode> negative_modes;    ///< every mode of negative or undecided energy, whatever the window
   std::vector<UnstableMode> unstable;  ///< all, whatever the window
+
+  /// Whether every mode of the window was found, and counted.
+  bool is_complete() const { return coverage.status == CoverageStatus::complete; }
+  /// ω of the modes, ascending, rad per unit of time.
+  std::vector<double> frequencies() const;
+  /// The shapes of the modes, n × (number of modes), in the order of the labels. @throws InvalidArgument where they were not asked for
+  ComplexMatrix shapes() const;
 };
+
+/// A line a mode, ω in rad per unit of time with energy sign and kind, then verdict and coverage.
+std::ostream& operator<<(std::ostream& out, const ModesResult& result);
 
 }  // namespace gyromode

@@ -1,14 +1,11 @@
 #pragma once
 
-#include "gyromode/base/types.h"
+#include "gyromode/structure/structure.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace gyromode {
-
-/// How two coordinates are coupled: `in_phase` through M or K (real entries of H), `cross` through G (imaginary entries).
-enum class CouplingKind : std::uint8_t { in_phase, cross };
 
 /// The couplings of n coordinates as an undirected graph, one list of neighbours a coordinate.
 struct CouplingGraph {

@@ -1,23 +1,12 @@
 #pragma once
 
-#include "gyromode/base/types.h"
+#include "gyromode/structure/definiteness.h"
 
 #include <memory>
 #include <string_view>
 
 namespace gyromode {
 
-/// Of a symmetric matrix. `semidefinite` is positive semidefinite and singular.
-enum class Definiteness { positive, semidefinite, indefinite };
-std::string_view to_string(Definiteness d);
-
-/// How many eigenvalues of K are negative, and how many are zero.
-struct InertiaOfK {
-  Index negative = 0;
-  Index zero = 0;
-
-  Definiteness definiteness() const;
-};
 
 /// D K D = L Lᵀ of a positive definite K, D of powers of two with a unit diagonal; L lower triangular, zeros above.
 struct PositiveFactor {

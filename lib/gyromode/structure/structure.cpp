@@ -1,5 +1,10 @@
 #include "gyromode/structure/structure.h"
 
+#include "gyromode/structure/quadrature.h"
+#include "gyromode/structure/reversing_symmetry.h"
+#include "gyromode/system/first_order_system.h"
+#include "gyromode/system/system.h"
+
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/system/scale.h"
 
@@ -32,6 +37,8 @@ std::vector<Index> collected(const std::vector<Component>& components, std::vect
 }
 
 }  // namespace
+
+bool Component::hidden_quadrature() const { return odd_cycle && search && search->found; }
 
 std::string_view to_string(SystemClass c) {
   switch (c) {

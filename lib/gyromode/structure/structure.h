@@ -1,15 +1,41 @@
 #pragma once
 
-#include "gyromode/structure/inertia_of_k.h"
-#include "gyromode/structure/quadrature.h"
+#include "gyromode/base/types.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/system.h"
 
+#include <cstdint>
+#include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace gyromode {
+
+struct SymmetrySearch;
+
+/// How two coordinates are coupled: `in_phase` through M or K (real entries of H), `cross` through G (imaginary entries).
+enum class CouplingKind : std::uint8_t { in_phase, cross };
+
+/// A closed walk v₀ → v₁ → … → v₀ with an odd number of cross couplings: why no quadrature partition exists.
+/// kinds[k] is the coupling from coordinates[k] to coordinates[k + 1], the last one back to coordinates[0].
+struct OddCycle {
+  std::vector<Index> coordinates;
+  std::vector<CouplingKind> kinds;
+};
+
+/// One connected component of the couplings. With a partition, T = diag(1, −j) makes its impedance real symmetric at every ω.
+struct Component {
+  std::vector<Index> coordinates;    ///< ascending
+  std::vector<Index> in_phase;       ///< the group of the first coordinate; empty without a partition
+  std::vector<Index> in_quadrature;  ///< the other group
+  std::optional<OddCycle> odd_cycle; ///< the witness where there is no partition
+  std::shared_ptr<const SymmetrySearch> search;  ///< where there is no partition and a reversing symmetry was looked for; rows in the order of `coordinates`
+
+  bool quadrature() const { return !odd_cycle; }
+  bool hidden_quadrature() const;    ///< no partition, but a reversing symmetry
+};
 
 /// The class that decides which solver serves a system (theory §1–3).
 enum class SystemClass { quadrature, hidden_quadrature, general };
@@ -30,7 +56,17 @@ struct Structure {
   std::optional<OddCycle> witness() const;           ///< the first component's odd cycle where there is no partition
 };
 
+/// What is known of a system.
 Structure analyse(const System& system, HiddenSearch hidden = HiddenSearch::by_cost);
 Structure analyse(const FirstOrderSystem& system);
+
+/// Couplings that somebody asked to leave out: a_ij, i ≠ j, with |a_ij| ≤ tolerance · max |a|, in each of M, G, K (I, G) by itself.
+struct IgnoredCouplings {
+  double tolerance = 0;
+  double largest = 0;  ///< of those left out, |a_ij| / max |a|; 0 where none was small enough
+};
+
+/// "couplings up to 0.01 of the largest entry of their matrix are left out, as asked: the largest of them is 0.0025".
+std::string in_words(const IgnoredCouplings& ignored);
 
 }  // namespace gyromode

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/system/laws.h"
+#include "gyromode/base/labels.h"
 
 #include <string>
 #include <vector>

@@ -2,6 +2,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/labels.h"
+#include "gyromode/system/laws.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/base/types.h"
-#include "gyromode/system/laws.h"
+#include "gyromode/base/labels.h"
 
 namespace gyromode {
 

@@ -3,7 +3,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/base/labels.h"
 #include "gyromode/base/rounding.h"
-#include "gyromode/base/types.h"
+#include "gyromode/system/system.h"
 
 #include <string_view>
 
@@ -31,9 +31,5 @@ inline constexpr double symmetry_tolerance = 16 * epsilon;
 double require_symmetric(std::string_view name, const Matrix& a);
 /// The largest |a_ij + a_ji| / √(r_i r_j), likewise.
 double require_skew(std::string_view name, const Matrix& a);
-
-/// ½(A + Aᵀ) and ½(A − Aᵀ): for callers who want a matrix repaired and say so.
-Matrix symmetric_part(const Matrix& a);
-Matrix skew_part(const Matrix& a);
 
 }  // namespace gyromode

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/base/types.h"
-#include "gyromode/system/laws.h"
+#include "gyromode/base/labels.h"
 
 namespace gyromode {
 
@@ -39,5 +39,9 @@ class System {
   Labels labels_;
   SymmetryErrors symmetry_errors_;
 };
+
+/// ½(A + Aᵀ) and ½(A − Aᵀ): for callers who want a matrix repaired and say so.
+Matrix symmetric_part(const Matrix& a);
+Matrix skew_part(const Matrix& a);
 
 }  // namespace gyromode

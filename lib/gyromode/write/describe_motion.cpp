@@ -1,4 +1,5 @@
 #include "gyromode/write/words.h"
+#include "gyromode/base/rounding.h"
 
 #include <fmt/format.h>
 

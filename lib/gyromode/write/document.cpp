@@ -3,7 +3,7 @@
 #include "gyromode/write/result_svg.h"
 #include "gyromode/write/writer.h"
 
-namespace gyromode::io {
+namespace gyromode {
 
 std::optional<Format> format_named(std::string_view name) {
   if (name == "table") return Format::table;
@@ -25,6 +25,8 @@ Format format_for(const std::filesystem::path& file) {
 
 namespace {
 
+using namespace io;
+
 template <class Result>
 std::string written(std::string_view kind, const Model& model, const Result& result, const Timings& timings, Format format, int version = 1) {
   const std::unique_ptr<Writer> w = writer(kind, model, timings, format, version);
@@ -43,4 +45,4 @@ std::string document(const Model& model, const StabilityReport& report, const Ti
 std::string document(const Model& model, const ResponseReport& report, const Timings& timings, Format format) { return written("response", model, report, timings, format); }
 std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, Format format) { return written("frequency_response", model, report, timings, format); }
 
-}  // namespace gyromode::io
+}  // namespace gyromode

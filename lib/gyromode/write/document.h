@@ -2,11 +2,12 @@
 
 #include "gyromode/models/model.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 
-namespace gyromode::io {
+namespace gyromode {
 
 /// How a result is written.
 enum class Format { table, json, csv, markdown, svg };
@@ -31,4 +32,4 @@ std::string document(const Model& model, const ResponseReport& report, const Tim
 std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, Format format);
 std::string document(const Model& model, const StabilityReport& report, const Timings& timings, Format format);
 
-}  // namespace gyromode::io
+}  // namespace gyromode

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/models/model_kind.h"
 #include "gyromode/models/model.h"
 #include "gyromode/write/writer.h"
 

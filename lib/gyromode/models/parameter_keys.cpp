@@ -1,9 +1,9 @@
-#include "gyromode/models/parameters.h"
+#include "gyromode/models/parameter_keys.h"
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/nearest.h"
 #include "gyromode/base/number.h"
-#include "gyromode/models/model.h"
+#include "gyromode/models/model_kind.h"
 
 #include <fmt/format.h>
 

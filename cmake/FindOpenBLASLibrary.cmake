@@ -1,0 +1,10 @@
+# OpenBLAS::OpenBLAS (Debian: libopenblas-pthread-dev). The package's own CMake file is not used: Debian 12 ships it without the header's folder.
+find_path(OPENBLAS_INCLUDE_DIR cblas-openblas.h)
+find_library(OPENBLAS_LIBRARY openblas)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(OpenBLASLibrary REQUIRED_VARS OPENBLAS_LIBRARY OPENBLAS_INCLUDE_DIR)
+mark_as_advanced(OPENBLAS_INCLUDE_DIR OPENBLAS_LIBRARY)
+if(OpenBLASLibrary_FOUND AND NOT TARGET OpenBLAS::OpenBLAS)
+  add_library(OpenBLAS::OpenBLAS UNKNOWN IMPORTED)
+  set_target_properties(OpenBLAS::OpenBLAS PROPERTIES IMPORTED_LOCATION ${OPENBLAS_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${OPENBLAS_INCLUDE_DIR})
+endif()

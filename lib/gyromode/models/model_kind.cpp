@@ -1,0 +1,51 @@
+#include "gyromode/models/model_kind.h"
+
+#include "gyromode/base/error.h"
+#include "gyromode/models/parameter_keys.h"
+
+#include <fmt/format.h>
+
+namespace gyromode {
+
+ModesResult ModelKind::verdict(bool with_shapes) const {
+  ModesOptions options;
+  options.shapes = with_shapes;
+  if (!finite()) options.lowest = 1;  // the verdict needs no window
+  return modes(options);
+}
+
+StabilityReport ModelKind::stability() const {
+  StabilityReport r;
+  r.result = verdict(true);
+  return r;
+}
+
+void ModelKind::require_motion() const { throw NotApplicable(fmt::format("response needs a model of second order, with displacements and velocities; this one is: {}", in_words())); }
+
+ResponseReport ModelKind::response(const MotionRequest&) const {
+  require_motion();
+  throw NotApplicable(fmt::format("no response is known of this kind of model: {}", in_words()));
+}
+
+FrequencyReport ModelKind::frequency_response(const FrequencyRequest&) const {
+  throw NotApplicable("--frequencies is for matrix models of second order (gyromode convert writes the matrices of a spacecraft)");
+}
+
+std::optional<Parameter> ModelKind::parameter(std::string_view key) const {
+  for (Parameter& p : parameters()) {
+    if (names(key, p.key)) return std::move(p);
+  }
+  return std::nullopt;
+}
+
+std::shared_ptr<const ModelKind> ModelKind::with(const std::vector<ParameterValue>& values) const {
+  throw InvalidArgument(fmt::format("'{}' is no parameter: this kind of model has none", values.empty() ? "" : values.front().key));
+}
+
+std::shared_ptr<const ModelKind> ModelKind::discretised(std::optional<Index>) const { throw NotApplicable("finite elements (--method discrete, --elements) serve models of parts, such as spacecraft; this one is made of matrices"); }
+
+std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> ModelKind::without_couplings(double) const {
+  throw NotApplicable("--coupling-tolerance is for matrix models: the couplings of a spacecraft follow from its parts");
+}
+
+}  // namespace gyromode

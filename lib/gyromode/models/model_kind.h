@@ -1,0 +1,65 @@
+#pragma once
+
+#include "gyromode/base/labels.h"
+#include "gyromode/models/parameters.h"
+#include "gyromode/models/reports.h"
+#include "gyromode/models/requests.h"
+#include "gyromode/modes/modes.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace gyromode {
+
+/// A kind of model: what it says of itself, and what it answers. Questions that a kind has no answer to throw NotApplicable, with what to use instead.
+class ModelKind {
+ public:
+  virtual ~ModelKind() = default;
+
+  virtual Index size() const = 0;
+  virtual const Labels& labels() const = 0;
+  /// For people, after the number of coordinates: "M, G, K in turning axes".
+  virtual std::string_view in_words() const = 0;
+  /// Whether H depends on ω by more than powers: there may be infinitely many modes.
+  virtual bool transcendental() const { return false; }
+  virtual bool finite() const { return true; }
+
+  virtual ModesResult modes(const ModesOptions& options) const = 0;
+  virtual CountResult count(const Window& window) const = 0;
+  /// The modes that a verdict on stability needs, and no more.
+  virtual ModesResult verdict(bool with_shapes) const;
+  virtual StabilityReport stability() const;
+  /// `at`: also H there, rad per unit of time.
+  virtual StructureReport structure(std::optional<double> at) const = 0;
+  /// Throws NotApplicable unless it has displacements and velocities that move over time.
+  virtual void require_motion() const;
+  virtual ResponseReport response(const MotionRequest& request) const;
+  virtual FrequencyReport frequency_response(const FrequencyRequest& request) const;
+
+  /// The numbers it is made of, those worth listing; further ones may be named.
+  virtual std::vector<Parameter> parameters() const { return {}; }
+  /// The first number that a key names ([*] for every item); nothing where it names none.
+  virtual std::optional<Parameter> parameter(std::string_view key) const;
+  /// The same model with other values of its parameters. Throws LawBroken where they make none; InvalidArgument where a key names no parameter.
+  virtual std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const;
+
+  /// The system of second order that the model is; null where it is none.
+  virtual const System* second_order() const { return nullptr; }
+  /// Its matrices by the names that files of them have: M, G, K; I, G. Empty where it is not made of matrices.
+  struct NamedMatrix {
+    std::string name, meaning;
+    bool skew = false;
+    const Matrix* matrix = nullptr;
+  };
+  virtual std::vector<NamedMatrix> matrices() const { return {}; }
+  /// The same model in finite elements.
+  virtual std::shared_ptr<const ModelKind> discretised(std::optional<Index> elements) const;
+  /// The same model without its couplings up to `tolerance`, and what was left out.
+  virtual std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> without_couplings(double tolerance) const;
+};
+
+}  // namespace gyromode

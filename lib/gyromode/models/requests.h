@@ -1,0 +1,28 @@
+#pragma once
+
+#include "gyromode/appendage/parts.h"
+#include "gyromode/base/progress.h"
+#include "gyromode/motion/state.h"
+
+#include <vector>
+
+namespace gyromode {
+
+/// A motion over time that is asked for.
+struct MotionRequest {
+  State initial;                  ///< q and q̇ at t = 0, n each
+  std::vector<Force> forces;
+  std::vector<BoomPoint> points;  ///< places on the booms of a spacecraft whose displacement is wanted too
+  Vector times;                   ///< s, ≥ 0, ascending
+  bool rates = false;             ///< velocities are to be written as well
+  Progress progress;
+};
+
+/// A response at steady frequencies that is asked for.
+struct FrequencyRequest {
+  Vector amplitude;  ///< f of f e^{jωt}, n
+  Vector grid;       ///< rad per unit of time, ascending
+  Progress progress;
+};
+
+}  // namespace gyromode
