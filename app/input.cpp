@@ -32,9 +32,9 @@ void ModelSource::add_to(CLI::App& verb) {
       ->check(no_small_fraction);
 }
 
-// A broken promise is known by its matrix; which files the matrices came from is known here.
+// A broken law is known by its matrix; which files the matrices came from is known here.
 template <class Reader>
-Model promised(const std::string& files, Reader&& reader) {
+Model located(const std::string& files, Reader&& reader) {
   try {
     return reader();
   } catch (const LawBroken& e) {
@@ -51,12 +51,12 @@ Model ModelSource::read() const {
     throw UsageError(matrices ? "give a model file or --mass and --stiffness, not both"
                               : "no model: give a model file (gyromode modes models/rigid_body.toml) or --mass M.mtx [--gyroscopic G.mtx] --stiffness K.mtx");
   }
-  if (!matrices) return promised(model, [&] { return admitted(read_model(model)); });
+  if (!matrices) return located(model, [&] { return admitted(read_model(model)); });
   if (mass.empty() || stiffness.empty()) {
     throw UsageError(fmt::format("{} is missing: M and K are both needed (G may be left out)", mass.empty() ? "--mass" : "--stiffness"));
   }
   const std::string files = fmt::format("{}, {}{}{}", mass, gyroscopic, gyroscopic.empty() ? "" : ", ", stiffness);
-  return promised(files, [&] { return admitted(read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness)); });
+  return located(files, [&] { return admitted(read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness)); });
 }
 
 void WindowOption::add_to(CLI::App& verb) {

@@ -12,8 +12,9 @@ string(REGEX MATCH "```cpp\n(#include <[^>]*>\n)\n([^`]*)```" block "${readme}")
 if(NOT block)
   message(FATAL_ERROR "README.md has no C++ block that starts with an include")
 endif()
-file(WRITE ${work}/readme.cpp "${CMAKE_MATCH_1}#include <cstdio>\nint main() {\n  const gyromode::Matrix mass = gyromode::Matrix::Identity(2, 2);\n"
+file(WRITE ${work}/programs/readme.cpp "${CMAKE_MATCH_1}#include <cstdio>\nint main() {\n  const gyromode::Matrix mass = gyromode::Matrix::Identity(2, 2);\n"
      "  gyromode::Matrix gyroscopic(2, 2);\n  gyroscopic << 0, -1, 1, 0;\n  const gyromode::Matrix stiffness = mass;\n${CMAKE_MATCH_2}}\n")
+run(${PYTHON} ${SOURCE}/tests/consumer/documented_programs.py ${SOURCE}/docs/api.md --write ${work}/programs)
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${made})
 file(RENAME ${made} ${prefix})
 file(GLOB_RECURSE installed ${prefix}/lib*/*.cmake ${prefix}/lib*/*.pc)
@@ -25,8 +26,7 @@ foreach(file ${installed})
 endforeach()
 
 # compiler; standard; options. Matrices are made on one side of the library and freed on the other, whatever instructions either is compiled for.
-file(GLOB examples ${SOURCE}/examples/*.cpp)
-set(programs ${work}/readme.cpp ${examples})
+set(programs -DPROGRAMS=${work}/programs -DEXAMPLES=${SOURCE}/examples)
 foreach(variant "c++:20:-O2" "c++:23:-O0" "c++:20:-O1 -mavx2" "c++:23:-O1 -march=native" "clang++:20:-O1" "clang++:23:-O0 -march=native")
   string(REPLACE ":" ";" variant ${variant})
   list(GET variant 0 compiler)
@@ -39,12 +39,13 @@ foreach(variant "c++:20:-O2" "c++:23:-O0" "c++:20:-O1 -mavx2" "c++:23:-O1 -march
   endif()
   string(MAKE_C_IDENTIFIER "${variant}" folder)
   run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${work}/${folder} -G Ninja -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${path_of_${compiler}} -DSTANDARD=${standard}
-      -DCMAKE_CXX_FLAGS=${options} "-DPROGRAMS=${programs}")
+      -DCMAKE_CXX_FLAGS=${options} ${programs})
   run(${CMAKE_COMMAND} --build ${work}/${folder})
   run(${work}/${folder}/consumer)
   if(programs)
     run(${work}/${folder}/readme)
     run(${work}/${folder}/motion)
+    run(${PYTHON} ${SOURCE}/tests/consumer/documented_programs.py ${SOURCE}/docs/api.md --run ${work}/${folder})
   endif()
   set(programs "")  # once is enough
 endforeach()

@@ -15,13 +15,13 @@ struct Cable {
   double line_density = 0;  ///< kg/m, > 0
   double tip_mass = 0;      ///< kg, ≥ 0
 
-  double reach() const { return radius + length; }
-  double mass() const { return line_density * length + tip_mass; }
+  double reach() const { return radius + length; }  ///< radius of the tip, m
+  double mass() const { return line_density * length + tip_mass; }  ///< with its tip mass, kg
   /// S = ∫ r dm, kg m. The tension at the root is spin² S.
   double first_moment() const;
   /// ∫ r² dm, kg m².
   double second_moment() const;
-  Eigen::Vector3d direction() const;
+  Eigen::Vector3d direction() const;  ///< from root to tip, unit vector
   /// Whether both have the same field: radius, length, density and tip mass.
   bool same_field(const Cable& other) const;
 };
@@ -35,8 +35,8 @@ struct Beam {
   double bending_stiffness[2] = {0, 0};  ///< N m², for motion along axes 1 and 2, > 0
   double tip_mass = 0;                   ///< kg, ≥ 0
 
-  double mass() const { return line_density * length + tip_mass; }
-  double way() const { return upward ? 1 : -1; }
+  double mass() const { return line_density * length + tip_mass; }  ///< with its tip mass, kg
+  double way() const { return upward ? 1 : -1; }  ///< 1 upward, −1 downward
 };
 
 /// A point mass held to the body by three springs along the body axes. An infinite stiffness is a rigid connection in that direction.
@@ -48,8 +48,9 @@ struct SpringMass {
 
 /// A point of a boom or a sprung mass.
 struct BoomPoint {
+  /// Of which kind of part.
   enum class Part { cable, beam, mass };
-  Part part = Part::cable;
+  Part part = Part::cable;  ///< kind of part
   Index number = 1;    ///< from 1, in the order of the model
   double along = 1;    ///< from root, 0, to tip, 1; of no meaning for a mass
   std::string name() const;  ///< "cable1@0.5", "mass2"

@@ -14,10 +14,11 @@ struct Progress {
   std::function<void(std::string_view what, Index done, Index all)> tell;  ///< `done` of `all` of what ("cells", "modes"); all = 0 where it is not known
   std::function<bool()> stop;                                             ///< true: stop soon
 
+  /// Tells, where anybody listens.
   void report(std::string_view what, Index done, Index all) const {
     if (tell) tell(what, done, all);
   }
-  bool stopped() const { return stop && stop(); }
+  bool stopped() const { return stop && stop(); }  ///< whether work should end
 };
 
 }  // namespace gyromode

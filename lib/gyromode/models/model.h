@@ -30,20 +30,20 @@ struct KnownValues {
 ///
 /// Frequencies are in rad per unit of time of the model (rad/s in SI). Questions that a kind has no answer to throw NotApplicable, with what to use instead.
 struct Model {
-  Model(System system);
-  Model(FirstOrderSystem system);
-  Model(SpinFamily family, double spin);
-  Model(Spacecraft spacecraft);
+  Model(System system);  ///< M, G, K
+  Model(FirstOrderSystem system);  ///< I, G
+  Model(SpinFamily family, double spin);  ///< at one spin, rad per unit of time
+  Model(Spacecraft spacecraft);  ///< with exact booms
   /// Of a kind of one's own.
   explicit Model(std::shared_ptr<const ModelKind> kind_of_model, std::string word = "");
 
-  std::string title;
-  std::string reference;
+  std::string title;  ///< for people
+  std::string reference;  ///< where it comes from
   std::string kind;            ///< its word in model files
   std::string sha256;          ///< of the model file followed by its matrix files, in the order M, G, K, per-spin ones (I, G); empty of a model built in code
-  std::shared_ptr<const ModelKind> body;
+  std::shared_ptr<const ModelKind> body;  ///< what answers
   std::optional<double> spin;  ///< rad/s, where the model depends on it
-  KnownValues known;
+  KnownValues known;  ///< for whoever wants to check
   std::optional<IgnoredCouplings> ignored;  ///< where `body` is that of the file without its weak couplings
 
   Index size() const;             ///< n, the number of coordinates

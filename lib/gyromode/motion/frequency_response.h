@@ -17,24 +17,25 @@ std::string_view to_string(Driven d);
 
 /// A mode as a steady force meets it.
 struct DrivenMode {
-  double omega = 0;
+  double omega = 0;          ///< rad per unit of time
   double error = 0;          ///< bound on |δω|
   double participation = 0;  ///< |Xᴴf| / (√(XᴴMX) √(fᵀM⁻¹f)), of the span where modes coincide: from 0, not driven, to 1; does not depend on units. Of zero roots the same after cancellation
   double resolution = 0;     ///< the error of the participation: up to this it says nothing
-  Driven driven = Driven::no;
+  Driven driven = Driven::no;  ///< whether the force drives it
 };
 
 /// q of q e^{jωt} under a force f e^{jωt}: H(ω) q = f.
 struct FrequencyPoint {
-  double omega = 0;
+  double omega = 0;              ///< rad per unit of time
   ComplexVector q;               ///< n; empty at a resonance; on a mode that is not driven, or of which this cannot be told, the limit from both sides
   Driven driven = Driven::no;    ///< whether ω is that of a mode, within its error, that the force drives: `yes` is a resonance, the response is unbounded; `undecided`: q holds if it is none
   bool added = false;            ///< not on the grid: put beside a resonance to show it
   std::optional<double> participation;  ///< of the mode that ω is on, or was put beside
 
-  bool resonance() const { return driven == Driven::yes; }
+  bool resonance() const { return driven == Driven::yes; }  ///< whether the response is unbounded here
 };
 
+/// The response over a grid, and the modes that it meets.
 struct FrequencyResponse {
   std::vector<FrequencyPoint> points;  ///< ascending in ω
   std::vector<DrivenMode> modes;       ///< those in the range of the grid, driven or not

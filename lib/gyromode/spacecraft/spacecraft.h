@@ -18,8 +18,10 @@ struct Body {
 
 /// A law that one part of a model breaks: at which key, and the law with the value.
 struct BrokenLaw {
-  std::string key, law;
+  std::string key;  ///< as in model files
+  std::string law;  ///< in words, with the value that breaks it
 };
+/// The first law that a part breaks, or nothing.
 std::optional<BrokenLaw> broken_law(const Body& body);
 std::optional<BrokenLaw> broken_law(const Cable& cable);
 std::optional<BrokenLaw> broken_law(const Beam& beam);
@@ -35,10 +37,10 @@ class Spacecraft {
   Spacecraft(double spin, Body body, std::vector<Cable> cables = {}, std::vector<Beam> beams = {}, std::vector<SpringMass> masses = {});
 
   double spin() const { return spin_; }  ///< rad/s, > 0, about axis 3
-  const Body& body() const { return body_; }
-  const std::vector<Cable>& cables() const { return cables_; }
-  const std::vector<Beam>& beams() const { return beams_; }
-  const std::vector<SpringMass>& masses() const { return masses_; }
+  const Body& body() const { return body_; }  ///< the rigid central body
+  const std::vector<Cable>& cables() const { return cables_; }  ///< wire booms
+  const std::vector<Beam>& beams() const { return beams_; }  ///< axial booms
+  const std::vector<SpringMass>& masses() const { return masses_; }  ///< masses on springs
 
   /// Of the complete satellite, frozen, about its own centre of mass P.
   const MassProperties& rigid() const { return rigid_; }
@@ -47,7 +49,7 @@ class Spacecraft {
 
   /// zeta1 zeta2 zeta3 (displacement of P, m, in turning axes), theta1 theta2 theta3 (rotation vector of the body).
   const Labels& labels() const;
-  Index size() const { return 6; }
+  Index size() const { return 6; }  ///< of (ζ, θ)
 
  private:
   void require_equilibrium() const;

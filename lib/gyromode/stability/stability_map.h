@@ -10,19 +10,23 @@ namespace gyromode {
 
 /// Where a parameter changes the verdict.
 struct CriticalValue {
-  std::size_t axis = 0;
+  std::size_t axis = 0;  ///< the parameter that changes: 0, the first
   double value = 0;             ///< the middle of the bracket
-  double lo = 0, hi = 0;        ///< bracket: `from` was found at lo, `to` at hi, and no verdict of any width between
-  StabilityPoint from, to;      ///< below and above, both decided
+  double lo = 0;                ///< `from` was found here
+  double hi = 0;                ///< and `to` here, with no verdict of any width between
+  StabilityPoint from;          ///< the verdict below, decided
+  StabilityPoint to;            ///< the verdict above, decided
   std::vector<double> others;   ///< the other parameters, in their order
 };
 
+/// Verdicts over a grid of one or two parameters.
 struct StabilityMap {
+  /// The verdict at one point of the grid.
   struct Cell {
-    std::vector<double> values;
-    StabilityPoint point;
+    std::vector<double> values;  ///< of the parameters, SI
+    StabilityPoint point;  ///< the verdict there
   };
-  std::vector<std::vector<double>> axes;
+  std::vector<std::vector<double>> axes;  ///< values of each parameter, ascending
   std::vector<Cell> cells;              ///< the first axis runs fastest
   std::vector<CriticalValue> critical;  ///< along the first axis
   Index evaluations = 0;                ///< of the verdict between the cells, to find the critical values

@@ -9,10 +9,10 @@ namespace gyromode {
 /// The verdict at one point of parameter space.
 struct StabilityPoint {
   bool law_kept = true;          ///< false: no such model (a law is broken); `reason` says which
-  Stability stability = Stability::unknown;
-  IndexBalance balance;
+  Stability stability = Stability::unknown;  ///< the verdict
+  IndexBalance balance;  ///< what it rests on
   double growth_rate = 0;      ///< the largest, 1/s
-  std::string reason;
+  std::string reason;  ///< why there is no such model, or no verdict; for people
 
   /// Whether there is a verdict at all.
   bool decided() const { return law_kept && stability != Stability::unknown; }

@@ -19,7 +19,7 @@ struct Realified {
   ComplexMatrix impedance;  ///< H, n × n
   ComplexMatrix unitary;    ///< U, n × n
   Matrix real_symmetric;    ///< H*, n × n
-  Realification how = Realification::tridiagonal;
+  Realification how = Realification::tridiagonal;  ///< by what U was found
   std::optional<double> angle;  ///< ψ, rad, of S(ψ)
 
   /// Of H* and so of H, counted on H equilibrated: in any units of the coordinates.

@@ -21,8 +21,8 @@ enum class CouplingKind : std::uint8_t { in_phase, cross };
 /// A closed walk v₀ → v₁ → … → v₀ with an odd number of cross couplings: why no quadrature partition exists.
 /// kinds[k] is the coupling from coordinates[k] to coordinates[k + 1], the last one back to coordinates[0].
 struct OddCycle {
-  std::vector<Index> coordinates;
-  std::vector<CouplingKind> kinds;
+  std::vector<Index> coordinates;   ///< v₀, v₁, …
+  std::vector<CouplingKind> kinds;  ///< of the couplings along the walk
 };
 
 /// One connected component of the couplings. With a partition, T = diag(1, −j) makes its impedance real symmetric at every ω.
@@ -33,7 +33,7 @@ struct Component {
   std::optional<OddCycle> odd_cycle; ///< the witness where there is no partition
   std::shared_ptr<const SymmetrySearch> search;  ///< where there is no partition and a reversing symmetry was looked for; rows in the order of `coordinates`
 
-  bool quadrature() const { return !odd_cycle; }
+  bool quadrature() const { return !odd_cycle; }  ///< whether it has a partition
   bool hidden_quadrature() const;    ///< no partition, but a reversing symmetry
 };
 
@@ -48,11 +48,11 @@ enum class HiddenSearch { by_cost, always, never };
 
 /// What is known of a system before it is solved.
 struct Structure {
-  std::vector<Component> components;
+  std::vector<Component> components;  ///< of the couplings
 
   SystemClass system_class() const;                  ///< quadrature where every component has a partition; hidden where the others have a reversing symmetry
   std::vector<Index> in_phase() const;               ///< coordinates, ascending, over all components
-  std::vector<Index> in_quadrature() const;
+  std::vector<Index> in_quadrature() const;  ///< likewise
   std::optional<OddCycle> witness() const;           ///< the first component's odd cycle where there is no partition
 };
 
@@ -62,7 +62,7 @@ Structure analyse(const FirstOrderSystem& system);
 
 /// Couplings that somebody asked to leave out: a_ij, i ≠ j, with |a_ij| ≤ tolerance · max |a|, in each of M, G, K (I, G) by itself.
 struct IgnoredCouplings {
-  double tolerance = 0;
+  double tolerance = 0;  ///< as asked
   double largest = 0;  ///< of those left out, |a_ij| / max |a|; 0 where none was small enough
 };
 

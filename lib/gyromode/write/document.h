@@ -19,8 +19,8 @@ Format format_for(const std::filesystem::path& file);
 
 /// Seconds spent.
 struct Timings {
-  double read = 0;
-  double solve = 0;
+  double read = 0;  ///< of the model
+  double solve = 0;  ///< of the answer
 };
 
 /// A result as text in the format asked for; svg, a picture of the shapes, is for the modes of a spacecraft with shapes. JSON follows the public schemas (docs/results.md), 17 significant digits where needed.
