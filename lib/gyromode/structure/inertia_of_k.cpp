@@ -35,7 +35,7 @@ std::optional<StiffnessInertia> positive_by_cholesky(const Matrix& k) {
   if (lapack::cholesky(l)) return std::nullopt;
   const double rcond = lapack::reciprocal_condition(l, norm);
   if (!clearly_regular(rcond, l.diagonal().cwiseAbs2())) return std::nullopt;
-  return StiffnessInertia{0, 0, k.rows(), Matrix(k.rows(), 0), rcond, false, std::make_shared<const PositiveFactor>(PositiveFactor{std::move(scale), std::move(l)})};
+  return StiffnessInertia{{0, 0}, k.rows(), Matrix(k.rows(), 0), rcond, false, std::make_shared<const PositiveFactor>(PositiveFactor{std::move(scale), std::move(l)})};
 }
 
 std::optional<StiffnessInertia> regular_by_pivots(const Matrix& k) {
@@ -45,7 +45,7 @@ std::optional<StiffnessInertia> regular_by_pivots(const Matrix& k) {
   const double rcond = lapack::reciprocal_condition(factor, norm1(k));
   if (!clearly_regular(rcond, d)) return std::nullopt;
   const Index negative = (d.array() < 0).count();
-  return StiffnessInertia{negative, 0, k.rows() - negative, Matrix(k.rows(), 0), rcond, false, {}};
+  return StiffnessInertia{{negative, 0}, k.rows() - negative, Matrix(k.rows(), 0), rcond, false, {}};
 }
 
 // D v̂ of differing units point the same way. Gauss–Jordan elimination with complete pivoting makes the columns a unit matrix in some rows and at most about one

@@ -41,7 +41,7 @@ void solve_regular(const SecondOrderQuadrature& m, const StiffnessInertia& d1, c
 
 StiffnessInertia of_both(const StiffnessInertia& d1, const StiffnessInertia& d2) {
   const Index n1 = d1.null_space.rows();
-  StiffnessInertia d{d1.negative + d2.negative, d1.zero + d2.zero, d1.positive + d2.positive, {}, std::min(d1.margin, d2.margin), d1.doubtful || d2.doubtful, {}};
+  StiffnessInertia d{{d1.negative + d2.negative, d1.zero + d2.zero}, d1.positive + d2.positive, {}, std::min(d1.margin, d2.margin), d1.doubtful || d2.doubtful, {}};
   d.null_space = Matrix::Zero(n1 + d2.null_space.rows(), d.zero);
   d.null_space.topLeftCorner(n1, d1.zero) = d1.null_space;
   d.null_space.bottomRightCorner(d2.null_space.rows(), d2.zero) = d2.null_space;
