@@ -3,7 +3,7 @@
 #include "errors.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/dense/spectrum.h"
+#include "gyromode/spectrum/spectrum.h"
 #include "gyromode/base/number.h"
 #include "gyromode/read/toml_table.h"
 #include "gyromode/base/quantity.h"

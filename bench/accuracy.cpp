@@ -61,7 +61,7 @@ class Tally {
   double real_ = 0, largest_ = 0;
 };
 
-ComplexVector placed(const dense::Spectrum& s, const ComplexVector& part) {
+ComplexVector placed(const Spectrum& s, const ComplexVector& part) {
   ComplexVector x(part.size());
   for (Index i = 0; i < part.size(); ++i) x(s.order[static_cast<std::size_t>(i)]) = part(i);
   return x;
@@ -69,7 +69,7 @@ ComplexVector placed(const dense::Spectrum& s, const ComplexVector& part) {
 
 Tally solved(const System& system, Method method) {
   const Residual residual(system);
-  const dense::Spectrum s = dense::solve(system, analyse(system).components.front(), method);
+  const Spectrum s = dense::solve(system, analyse(system).components.front(), method);
   Tally t;
   for (Index k = 0; k < s.omega.size(); ++k) t.add({0, s.omega(k)}, residual({0, s.omega(k)}, placed(s, s.shape(k))));
   for (Index k = 0; k < s.unstable.count(); ++k) {

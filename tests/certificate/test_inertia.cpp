@@ -153,7 +153,7 @@ TEST(Inertia, SingularToRoundingIsDoubtfulThoughNoPivotIsSmall) {
 
 struct Piece {
   Matrix m, g, k;
-  dense::Spectrum s;
+  Spectrum s;
 
   Matrix of(const Matrix& a) const { return a(s.order, s.order); }
 };
@@ -186,7 +186,7 @@ Piece random_piece(Index p, Index r, bool partition, Random& random) {
 double norm_1(const Matrix& a) { return a.cwiseAbs().colwise().sum().maxCoeff(); }
 
 // Negative eigenvalues of H(ω), complex n × n, where none is near zero.
-void expect_count(const Impedance& h, double omega, const ComplexMatrix& truth, int& trials) {
+void expect_count(const dense::Impedance& h, double omega, const ComplexMatrix& truth, int& trials) {
   const Vector lambda = eigenvalues(truth);
   if (!(lambda.cwiseAbs().minCoeff() > 1e-8 * lambda.cwiseAbs().maxCoeff())) return;
   const Inertia found = h.inertia_at(omega);
@@ -204,7 +204,7 @@ TEST(Impedance, CountsAreThoseOfTheEigenvaluesOfH) {
     const Piece a = random_piece(1 + trial % 7, trial % 5, partition, random);
     const System system(a.m, a.g, a.k);
     const FirstOrderSystem first(a.m, a.g);
-    const Impedance h(system, a.s), h1(first, a.s);
+    const dense::Impedance h(system, a.s), h1(first, a.s);
     EXPECT_TRUE(h.quadrature() == partition && h1.quadrature() == partition && h.second_order() && !h1.second_order());
     EXPECT_EQ(h.size(), a.s.size());
     for (const double omega : {0.01, 0.3, 1.0, 3.0, 30.0}) {
@@ -226,13 +226,13 @@ TEST(Impedance, RealFormHasTheSpectrumOfH) {
     const Piece a = random_piece(p, r, true, random);
     const System system(a.m, a.g, a.k);
     const FirstOrderSystem first(a.m, a.g);
-    dense::Spectrum whole = a.s;
+    Spectrum whole = a.s;
     whole.split = -1;
     ComplexVector t = ComplexVector::Ones(n);
     t.tail(r).setConstant(Complex(0, -1));
     const ComplexMatrix slope_of_g = Complex(0, -1) * a.of(a.g);
     for (const double omega : {0.2, 2.0}) {
-      const auto expect_real_form = [&](const Impedance& h, const Impedance& plain, const ComplexMatrix& truth, const ComplexMatrix& slope) {
+      const auto expect_real_form = [&](const dense::Impedance& h, const dense::Impedance& plain, const ComplexMatrix& truth, const ComplexMatrix& slope) {
         const double unit = epsilon * h.scale(omega);
         EXPECT_LE((plain.complex_at(omega) - truth).norm(), 4 * unit);
         EXPECT_LE((plain.complex_slope_at(omega) - slope).norm(), 4 * unit / std::min(omega, 1.0));
@@ -241,9 +241,9 @@ TEST(Impedance, RealFormHasTheSpectrumOfH) {
         EXPECT_LE((eigenvalues(h.real_at(omega)) - eigenvalues(truth)).norm(), 20 * static_cast<double>(n) * unit);
         EXPECT_EQ(h.inertia_at(omega).negative, plain.inertia_at(omega).negative);
       };
-      expect_real_form(Impedance(system, a.s), Impedance(system, whole), system.impedance(omega)(a.s.order, a.s.order),
+      expect_real_form(dense::Impedance(system, a.s), dense::Impedance(system, whole), system.impedance(omega)(a.s.order, a.s.order),
                        2 * omega * a.of(a.m) + slope_of_g);
-      expect_real_form(Impedance(first, a.s), Impedance(first, whole), first.impedance(omega)(a.s.order, a.s.order), a.of(a.m).cast<Complex>());
+      expect_real_form(dense::Impedance(first, a.s), dense::Impedance(first, whole), first.impedance(omega)(a.s.order, a.s.order), a.of(a.m).cast<Complex>());
     }
   }
 }

@@ -1,5 +1,5 @@
 // Parseval's identity passes the roots of regular systems, and no list in which a root stands twice and another is missing.
-#include "gyromode/certificate/assess.h"
+#include "gyromode/certificate/measure.h"
 #include "gyromode/certificate/parseval.h"
 #include "gyromode/dense/solve.h"
 #include "support/random_matrices.h"
@@ -21,18 +21,18 @@ System definite(Source& source, Index n, bool quadrature, double spin) {
 }
 
 struct Solved {
-  Impedance h;
-  dense::Spectrum s;
+  dense::Impedance h;
+  Spectrum s;
 };
 
 Solved solved(const System& system) {
   const Component c = analyse(system).components.front();
-  Impedance h = dense::impedance_of(system, c, Method::automatic);
-  dense::Spectrum s = dense::solve(h, c, Method::automatic);
+  dense::Impedance h = dense::impedance_of(system, c, Method::automatic);
+  Spectrum s = dense::solve(h, c, Method::automatic);
   return {std::move(h), std::move(s)};
 }
 
-void list_twice(dense::Spectrum& s, Index listed, Index missing) {
+void list_twice(Spectrum& s, Index listed, Index missing) {
   s.omega(missing) = s.omega(listed);
   s.re.col(missing) = s.re.col(listed);
   s.im.col(missing) = s.im.col(listed);
@@ -58,7 +58,7 @@ TEST(Parseval, AModeInThePlaceOfAnother) {
       for (Index listed = 0; listed < n; ++listed) {
         for (Index missing = 0; missing < n; ++missing) {
           if (missing == listed) continue;
-          dense::Spectrum s = x.s;
+          Spectrum s = x.s;
           list_twice(s, listed, missing);
           EXPECT_FALSE(no_root_twice(x.h, s, products(x.h, s))) << n << " " << quadrature << " " << listed << " for " << missing;
         }
@@ -82,7 +82,7 @@ TEST(Parseval, ShapesOfADoubleModeThatPointTheSameWay) {
   ASSERT_EQ(x.s.omega.size(), 12);
   EXPECT_TRUE(no_root_twice(x.h, x.s, products(x.h, x.s)));
   for (const double angle : {0.0, 1e-3, 0.3}) {
-    dense::Spectrum s = x.s;
+    Spectrum s = x.s;
     s.re.col(1) = std::cos(angle) * s.re.col(0) + std::sin(angle) * x.s.re.col(1);
     s.im.col(1) = std::cos(angle) * s.im.col(0) + std::sin(angle) * x.s.im.col(1);
     EXPECT_FALSE(no_root_twice(x.h, s, products(x.h, s))) << angle;
@@ -101,14 +101,14 @@ TEST(Parseval, IndefiniteSystems) {
         unstable += x.s.unstable.count() > 0;
         if (n > 12) continue;
         for (Index listed = 0; listed < x.s.omega.size(); ++listed) {
-          dense::Spectrum s = x.s;
+          Spectrum s = x.s;
           const Index missing = (listed + 1) % s.omega.size();
           if (missing == listed) continue;
           list_twice(s, listed, missing);
           EXPECT_FALSE(no_root_twice(x.h, s, products(x.h, s))) << n << " " << negative << " " << spin;
         }
         for (Index listed = 0; listed + 1 < x.s.unstable.count(); ++listed) {
-          dense::Spectrum s = x.s;
+          Spectrum s = x.s;
           if ((s.unstable.lambda[static_cast<std::size_t>(listed)].imag() == 0) != (s.unstable.lambda[static_cast<std::size_t>(listed) + 1].imag() == 0)) continue;
           s.unstable.lambda[static_cast<std::size_t>(listed)] = s.unstable.lambda[static_cast<std::size_t>(listed) + 1];
           s.unstable.right.col(listed) = s.unstable.right.col(listed + 1);

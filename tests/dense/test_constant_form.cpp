@@ -1,7 +1,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
 #include "gyromode/dense/constant_form.h"
-#include "gyromode/dense/spectrum.h"
+#include "gyromode/spectrum/spectrum.h"
 #include "gyromode/lapack/small.h"
 #include "gyromode/modes/modes.h"
 #include "support/random_matrices.h"

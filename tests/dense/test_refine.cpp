@@ -1,7 +1,7 @@
 // Refinement brings a perturbed root back, and to no other.
 #include "support/random_matrices.h"
 #include "gyromode/base/rounding.h"
-#include "gyromode/certificate/assess.h"
+#include "gyromode/refinement/correct.h"
 #include "gyromode/dense/refinement/refine.h"
 #include "gyromode/dense/solve.h"
 
@@ -47,8 +47,8 @@ TEST(Refine, BringsAPerturbedRootBackToRounding) {
     const System system = refinable(source, n, draw % 2 == 0, draw % 4 < 2 ? 0 : n);
     for (const Component& c : analyse(system).components) {
       Spectrum s = solve(system, c);
-      const Impedance h(system, s);
-      assess(h, s);
+      const dense::Impedance h(system, s);
+      correct(h, s);
       const Spectrum exact = s;
       for (Index i = 0; i < s.omega.size(); ++i) {
         const double gap = gap_of(exact, i);
@@ -71,7 +71,7 @@ TEST(Refine, NeverJumpsToANeighbour) {
     const System system = refinable(source, n, draw % 2 == 0, draw % 4 < 2 ? 0 : n);
     for (const Component& c : analyse(system).components) {
       Spectrum s = solve(system, c);
-      const Impedance h(system, s);
+      const dense::Impedance h(system, s);
       const Spectrum exact = s;
       for (Index i = 0; i + 1 < s.omega.size(); ++i) {
         const double gap = exact.omega(i + 1) - exact.omega(i);

@@ -12,19 +12,19 @@ namespace gyromode {
 namespace {
 
 // How far a backward error of η moves root i, capped where the root is so nearly defective that first order says nothing.
-double movement(const dense::Spectrum& s, const Assessment& a, Index i) {
+double movement(const Spectrum& s, const Assessment& a, Index i) {
   return std::min(backward_error(s.size()) * a.sensitivity(i), 1e-5 * s.omega(i));
 }
 
 // The last of the roots that a backward error can make coincide, one after the other, from `first` on.
-Index end_of_cluster(const dense::Spectrum& s, const Assessment& a, Index first) {
+Index end_of_cluster(const Spectrum& s, const Assessment& a, Index first) {
   Index last = first;
   while (last + 1 < s.omega.size() && s.omega(last + 1) - s.omega(last) <= movement(s, a, last) + movement(s, a, last + 1)) ++last;
   return last;
 }
 
 // A root has the sign of its form where a backward error moves it by a small part of its distance to every other root: then its form is far from zero.
-bool sure(const dense::Spectrum& s, const Assessment& a, Index i) {
+bool sure(const Spectrum& s, const Assessment& a, Index i) {
   constexpr double small_part = 1e-3;
   const double omega = s.omega(i);
   double distance = omega;
@@ -35,11 +35,11 @@ bool sure(const dense::Spectrum& s, const Assessment& a, Index i) {
 }
 
 // The same for the roots of a cluster, of which only the form on their span counts.
-bool sure_together(const dense::Spectrum& s, const Assessment& a, Index i) { return backward_error(s.size()) * a.sensitivity(i) <= 1e-7 * s.omega(i); }
+bool sure_together(const Spectrum& s, const Assessment& a, Index i) { return backward_error(s.size()) * a.sensitivity(i) <= 1e-7 * s.omega(i); }
 
 // Positive minus negative eigenvalues of the form X_cᴴ(2ωM − jG)X_c on the unit shapes of a cluster: its signs, by Sylvester's law, if the shapes are
 // independent and the form regular, both far from doubt.
-std::optional<Index> signature(const Impedance& h, const dense::Spectrum& s, Index first, Index last) {
+std::optional<Index> signature(const Impedance& h, const Spectrum& s, Index first, Index last) {
   constexpr double regular = 1e-5;
   const Index count = last - first + 1;
   ComplexMatrix x(s.size(), count);
@@ -54,7 +54,7 @@ std::optional<Index> signature(const Impedance& h, const dense::Spectrum& s, Ind
 
 // Positive minus negative roots in a cluster: the change of n₋(H) across it, counted as near to it as the factorisations are sure, and no farther than
 // half way to the roots beside it. In a large system, where a factorisation costs, at the widest of these distances only.
-std::optional<Index> jump(const Impedance& h, const dense::Spectrum& s, const Assessment& a, Index first, Index last) {
+std::optional<Index> jump(const Impedance& h, const Spectrum& s, const Assessment& a, Index first, Index last) {
   const double before = first > 0 ? s.omega(first - 1) + movement(s, a, first - 1) : 0;
   const double after = last + 1 < s.omega.size() ? s.omega(last + 1) - movement(s, a, last + 1) : 2 * s.omega(last);
   if (!(before < s.omega(first)) || !(after > s.omega(last))) return std::nullopt;
@@ -81,7 +81,7 @@ void assign(EnergySigns& signs, Index first, Index last, Index difference) {
   signs.undecided_pairs += (count - surplus) / 2;
 }
 
-EnergySigns signs_of_clusters(const Impedance& h, const dense::Spectrum& s, const Assessment& a) {
+EnergySigns signs_of_clusters(const Impedance& h, const Spectrum& s, const Assessment& a) {
   EnergySigns signs;
   const Index m = s.omega.size();
   Index jumps = s.size() <= 64 ? m : 8;  // each two factorisations in a large system
@@ -109,7 +109,7 @@ EnergySigns signs_of_clusters(const Impedance& h, const dense::Spectrum& s, cons
 
 }  // namespace
 
-EnergySigns energy_signs(const Impedance& h, const dense::Spectrum& s, const Assessment& a) {
+EnergySigns energy_signs(const Impedance& h, const Spectrum& s, const Assessment& a) {
   if (h.second_order() && s.stiffness_negative > 0) return signs_of_clusters(h, s, a);
   EnergySigns signs;  // K ≥ 0 (theory §4), or I > 0: energy is positive in every motion
   signs.sign.assign(static_cast<std::size_t>(s.omega.size()), 1);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/base/rounding.h"
-#include "gyromode/certificate/assess.h"
+#include "gyromode/certificate/measure.h"
 
 #include <vector>
 
@@ -17,6 +17,6 @@ struct EnergySigns {
 
 /// A simple root has the sign of its form. Roots that a backward error of n ε can bring together have theirs as a cluster: by the signature of the form on their
 /// shapes, else by the change of n₋(H) across it.
-EnergySigns energy_signs(const Impedance& h, const dense::Spectrum& s, const Assessment& a);
+EnergySigns energy_signs(const Impedance& h, const Spectrum& s, const Assessment& a);
 
 }  // namespace gyromode

@@ -1,8 +1,7 @@
 #include "gyromode/certificate/exhibits.h"
 
 #include "gyromode/base/rounding.h"
-#include "gyromode/certificate/assess_unstable.h"
-#include "gyromode/dense/refinement/characteristic_factor.h"
+#include "gyromode/certificate/measure_unstable.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +23,7 @@ struct Disc {
   Index at = 0;
 };
 
-std::vector<Disc> discs_of(const dense::Spectrum& s, const Assessment& a) {
+std::vector<Disc> discs_of(const Spectrum& s, const Assessment& a) {
   std::vector<Disc> discs;
   for (Index i = 0; i < s.omega.size(); ++i) discs.push_back({{0, s.omega(i)}, a.error_bound(i), 0, true, i});
   for (Index i = 0; i < s.unstable.count(); ++i) discs.push_back({s.unstable.lambda[static_cast<std::size_t>(i)], a.unstable.error_bound(i), 0, false, i});
@@ -108,7 +107,7 @@ Surroundings around(const std::vector<Disc>& discs, const std::vector<std::size_
 std::optional<double> counted(const Impedance& h, const Surroundings& s, double spread) {
   if (!(s.outer > 2 * s.inner)) return std::nullopt;
   const auto holds = [&](double radius) {
-    const auto found = dense::roots_in_disc(h, s.centre, radius);
+    const auto found = h.roots_in_disc(s.centre, radius);
     return found && found->roots == s.roots;
   };
   double radius = std::clamp(std::sqrt(s.inner * s.outer), 1.5 * s.inner, 0.75 * s.outer);
@@ -140,7 +139,7 @@ bool independent(const Surroundings& s, const std::vector<Disc>& discs, const st
 }
 
 // The same of roots off the axis, with left and right shapes of their own; their bound becomes that of their span.
-bool independent_off_axis(const Impedance& h, const dense::Spectrum& s, const Surroundings& near, const std::vector<Disc>& discs, const std::vector<std::size_t>& group, Assessment& a) {
+bool independent_off_axis(const Impedance& h, const Spectrum& s, const Surroundings& near, const std::vector<Disc>& discs, const std::vector<std::size_t>& group, Assessment& a) {
   constexpr double small_part = 0.1;
   std::vector<Index> at;
   double nearest_axis = infinity;
@@ -159,7 +158,7 @@ bool independent_off_axis(const Impedance& h, const dense::Spectrum& s, const Su
 
 }  // namespace
 
-Exhibits exhibited(const Impedance& h, const dense::Spectrum& s, Assessment& a) {
+Exhibits exhibited(const Impedance& h, const Spectrum& s, Assessment& a) {
   const double rounding = solver_residual(s.size());
   Exhibits e;
   e.unstable.assign(static_cast<std::size_t>(s.unstable.count()), true);

@@ -1,6 +1,5 @@
 #include "gyromode/certificate/parseval.h"
 
-#include "gyromode/dense/refinement/characteristic_products.h"
 #include "gyromode/lapack/multiply.h"
 
 #include <cmath>
@@ -18,21 +17,23 @@ Vector random_signs_and_sizes(Index n, std::uint64_t seed) {
   return v;
 }
 
-// Rows of a vector that carry real and imaginary parts: all of both without a partition.
+// Rows of a real vector that carry real and imaginary parts: all of both without a partition.
 struct Parts {
   Vector whole, re, im;
   Parts(const Impedance& h, Vector v)
-      : whole(std::move(v)), re(h.quadrature() ? Vector(whole.head(h.mass_rr().rows())) : whole), im(h.quadrature() ? Vector(whole.tail(h.mass_ii().rows())) : whole) {}
+      : whole(std::move(v)), re(h.quadrature() ? Vector(whole.head(h.split())) : whole), im(h.quadrature() ? Vector(whole.tail(h.size() - h.split())) : whole) {}
 };
 
-double quadratic(const Matrix& a, const Vector& v) {
-  Vector product = Vector::Zero(a.rows());
-  lapack::multiply_add(product, 1, a, false, v);
-  return v.dot(product);
-}
+// vᵀKv and vᵀMv.
+struct Energies {
+  double stiffness = 0, mass = 0;
+};
 
-// vᵀAv of A = A_rr, or diag(A_rr, A_ii).
-double energy(const Impedance& h, const Matrix& rr, const Matrix& ii, const Parts& v) { return quadratic(rr, v.re) + (h.quadrature() ? quadratic(ii, v.im) : 0); }
+Energies energies(const Impedance& h, const Parts& v) {
+  const RowProducts p = h.products(v.re, v.im);
+  if (!h.quadrature()) return {v.re.dot(p.k_re.col(0)), v.re.dot(p.m_re.col(0))};
+  return {v.re.dot(p.k_re.col(0)) + v.im.dot(p.k_im.col(0)), v.re.dot(p.m_re.col(0)) + v.im.dot(p.m_im.col(0))};
+}
 
 // |Xᴴ A v|² of all modes, from AX.
 Vector squares(const Matrix& re, const Matrix& im, const Parts& v) {
@@ -47,7 +48,7 @@ struct Shares {
   Vector by_displacement, by_velocity;
 };
 
-Shares shares_of_modes(const dense::Spectrum& s, const Products& p, const Parts& a, const Parts& b) {
+Shares shares_of_modes(const Spectrum& s, const Products& p, const Parts& a, const Parts& b) {
   Vector norms(s.omega.size());
   for (Index i = 0; i < norms.size(); ++i) {
     const Functional& f = p.functional(i);
@@ -57,11 +58,11 @@ Shares shares_of_modes(const dense::Spectrum& s, const Products& p, const Parts&
 }
 
 // ⟨z_−λ̄, z_λ⟩ = YᴴKX − λ²YᴴMX.
-Shares shares_of_unstable(const Impedance& h, const dense::UnstableRoots& roots, const Parts& a, const Parts& b) {
+Shares shares_of_unstable(const Impedance& h, const UnstableRoots& roots, const Parts& a, const Parts& b) {
   const Index count = roots.count();
   Shares shares{Vector(count), Vector(count)};
   if (count == 0) return shares;
-  const auto right = dense::characteristic_products(h, roots.right), left = dense::characteristic_products(h, roots.left);
+  const auto right = h.characteristic_products(roots.right), left = h.characteristic_products(roots.left);
   const ComplexVector on_a = a.whole.cast<Complex>(), on_b = b.whole.cast<Complex>();
   for (Index i = 0; i < count; ++i) {
     const Complex lambda = roots.lambda[static_cast<std::size_t>(i)];
@@ -75,14 +76,14 @@ Shares shares_of_unstable(const Impedance& h, const dense::UnstableRoots& roots,
 
 }  // namespace
 
-bool no_root_twice(const Impedance& h, const dense::Spectrum& s, const Products& p) {
+bool no_root_twice(const Impedance& h, const Spectrum& s, const Products& p) {
   constexpr double noticed = 1e-3;
   const Index n = h.size();
   if (!h.second_order() || s.stiffness_zero > 0 || s.omega.size() + s.divergent() + 2 * s.fluttering() != n) return false;
   const Parts a(h, random_signs_and_sizes(n, 1979)), b(h, random_signs_and_sizes(n, 2026));
   const Shares modes = shares_of_modes(s, p, a, b), unstable = shares_of_unstable(h, s.unstable, a, b);
-  const double displacement_open = std::abs(modes.by_displacement.sum() + unstable.by_displacement.sum() - energy(h, h.stiffness_rr(), h.stiffness_ii(), a));
-  const double velocity_open = std::abs(modes.by_velocity.sum() + unstable.by_velocity.sum() - energy(h, h.mass_rr(), h.mass_ii(), b));
+  const double displacement_open = std::abs(modes.by_displacement.sum() + unstable.by_displacement.sum() - energies(h, a).stiffness);
+  const double velocity_open = std::abs(modes.by_velocity.sum() + unstable.by_velocity.sum() - energies(h, b).mass);
   const auto all_noticed = [&](const Shares& x) {
     return ((x.by_displacement.array().abs() * noticed >= displacement_open) || (x.by_velocity.array().abs() * noticed >= velocity_open)).all();
   };

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "gyromode/dense/impedance.h"
+#include "gyromode/spectrum/impedance.h"
+#include "gyromode/spectrum/spectrum.h"
 
 #include <vector>
 
@@ -14,17 +15,16 @@ struct Functional {
   double value(double omega) const { return second_order ? k + omega * (g - omega * m) : omega * m - g; }
   /// −d/dω in second order, d/dω in first: the form whose sign is the energy sign.
   double slope(double omega) const { return second_order ? 2 * omega * m - g : m; }
-  /// The root near ω. A step is taken while it shrinks |value| and stays a small part of ω.
-  double corrected(double omega) const;
 };
 
-/// K X, M X and jG X of all shapes, real and imaginary parts, each of the rows that carry it: X = re + j im gives jGX = −G_ri im + j G_ir re, G_ir = −G_riᵀ; and the functional of each shape.
-struct Products {
-  Matrix k_re, k_im, m_re, m_im, g_re, g_im;
+/// The products of all shapes of a Spectrum, and the functional of each.
+struct Products : RowProducts {
   std::vector<Functional> functionals;
 
   const Functional& functional(Index i) const { return functionals[static_cast<std::size_t>(i)]; }
+  /// Those of the shapes in another order.
+  void reorder(const std::vector<Index>& order);
 };
-Products products(const Impedance& h, const dense::Spectrum& s);
+Products products(const Impedance& h, const Spectrum& s);
 
 }  // namespace gyromode

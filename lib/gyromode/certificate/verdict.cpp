@@ -2,7 +2,6 @@
 
 #include "gyromode/certificate/energy_signs.h"
 #include "gyromode/certificate/exhibits.h"
-#include "gyromode/certificate/undecided_flutter.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +11,7 @@ namespace gyromode {
 
 namespace {
 
-IndexBalance balance_of(const dense::Spectrum& s, const EnergySigns& signs) {
+IndexBalance balance_of(const Spectrum& s, const EnergySigns& signs) {
   IndexBalance b;
   b.negative = s.stiffness_negative;
   b.real_pairs = s.divergent();
@@ -24,7 +23,7 @@ IndexBalance balance_of(const dense::Spectrum& s, const EnergySigns& signs) {
 }
 
 // Why the roots found do not account for everything; empty where they do.
-std::string open_reason(const dense::Spectrum& s, const IndexBalance& b, const Exhibits& shown) {
+std::string open_reason(const Spectrum& s, const IndexBalance& b, const Exhibits& shown) {
   if (!s.omega.allFinite() || !(s.omega.array() > 0).all()) return "a root far below the largest was lost";
   const Index found = s.omega.size() + b.zero + b.real_pairs + 2 * b.quadruples;
   if (found != s.size()) return fmt::format("{} of {} roots were found", found, s.size());
@@ -35,7 +34,7 @@ std::string open_reason(const dense::Spectrum& s, const IndexBalance& b, const E
 }
 
 // Every pair of roots of I q̇ + G q = 0 is a mode or two constant solutions.
-IndexBalance first_order_balance(const dense::Spectrum& s) {
+IndexBalance first_order_balance(const Spectrum& s) {
   IndexBalance b;
   b.zero = s.zero_pairs();
   b.closed = s.size() == 2 * s.omega.size() + s.zero_pairs();
@@ -43,7 +42,7 @@ IndexBalance first_order_balance(const dense::Spectrum& s) {
 }
 
 // A verdict is worth what its balance is worth: roots that do not account for everything leave room for another one.
-Stability stability_of(const dense::Spectrum& s, const Verdict& v, bool undecided) {
+Stability stability_of(const Spectrum& s, const Verdict& v, bool undecided) {
   if (!v.balance.closed) return Stability::unknown;
   if (s.stiffness_negative == 0) return Stability::stable;
   if (s.unstable.count() > 0) return Stability::unstable;
@@ -53,8 +52,7 @@ Stability stability_of(const dense::Spectrum& s, const Verdict& v, bool undecide
 
 }  // namespace
 
-Verdict judge(const Impedance& h, dense::Spectrum& s, Assessment& a) {
-  if (h.second_order()) return_undecided_flutter(h, s, a);
+Verdict verdict_on(const Impedance& h, const Spectrum& s, Assessment& a) {
   const EnergySigns signs = energy_signs(h, s, a);
   Verdict v;
   v.energy_sign = signs.sign;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/certificate/assess.h"
+#include "gyromode/certificate/measure.h"
 #include "gyromode/spectrum/verdict.h"
 
 #include <string>
@@ -19,8 +19,8 @@ struct Verdict {
   double gap = 0;
 };
 
-/// Energy signs, index balance and verdict. Pairs of opposite sign nearer than a backward error of `n ε` moves them, and flutter with a growth rate below
-/// it, are marginal; such flutter is returned to the axis: two modes of sign 0 in `s` (and `a` measured again).
-Verdict judge(const Impedance& h, dense::Spectrum& s, Assessment& a);
+/// Energy signs, index balance and verdict on the roots of `s` as measured. Pairs of opposite sign nearer than a backward error of `n ε` moves them are marginal. Of roots that were counted together in a disc its radius
+/// becomes the bound in `a`.
+Verdict verdict_on(const Impedance& h, const Spectrum& s, Assessment& a);
 
 }  // namespace gyromode

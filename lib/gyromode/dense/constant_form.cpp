@@ -3,7 +3,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/dense/mass_normal.h"
 #include "gyromode/dense/general/skew_tridiagonal.h"
-#include "gyromode/dense/spectrum.h"
+#include "gyromode/spectrum/spectrum.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/reflectors.h"
 #include "gyromode/lapack/symmetric.h"

@@ -1,6 +1,7 @@
 #include "gyromode/dense/impedance.h"
 
 #include "gyromode/dense/solve.h"
+#include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/small.h"
 #include "gyromode/structure/ranked_factor.h"
 #include "gyromode/system/laws.h"
@@ -9,13 +10,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gyromode {
+namespace gyromode::dense {
 
-Impedance::Impedance(const System& system, const dense::Spectrum& s) : Impedance(s.order, s.split, true) {
+Impedance::Impedance(const System& system, const Spectrum& s) : Impedance(s.order, s.split, true) {
   take(system.mass(), system.gyroscopic(), &system.stiffness(), false);
 }
 
-Impedance::Impedance(const FirstOrderSystem& system, const dense::Spectrum& s) : Impedance(s.order, s.split, false) {
+Impedance::Impedance(const FirstOrderSystem& system, const Spectrum& s) : Impedance(s.order, s.split, false) {
   take(system.inertia(), system.gyroscopic(), nullptr, false);
 }
 
@@ -34,12 +35,12 @@ Impedance Impedance::natural(const FirstOrderSystem& system, std::vector<Index> 
 void Impedance::take(const Matrix& mass, const Matrix& gyroscopic, const Matrix* stiffness, bool natural) {
   const std::vector<Index> real(order_.begin(), split_ < 0 ? order_.end() : order_.begin() + split_);
   const std::vector<Index> imaginary = split_ < 0 ? real : std::vector<Index>(order_.begin() + split_, order_.end());
-  m_rr_ = dense::restricted(mass, real, real);
-  g_ri_ = dense::restricted(gyroscopic, real, imaginary);
-  k_rr_ = stiffness ? dense::restricted(*stiffness, real, real) : Matrix::Zero(m_rr_.rows(), m_rr_.rows());
+  m_rr_ = restricted(mass, real, real);
+  g_ri_ = restricted(gyroscopic, real, imaginary);
+  k_rr_ = stiffness ? restricted(*stiffness, real, real) : Matrix::Zero(m_rr_.rows(), m_rr_.rows());
   if (split_ >= 0) {
-    m_ii_ = dense::restricted(mass, imaginary, imaginary);
-    k_ii_ = stiffness ? dense::restricted(*stiffness, imaginary, imaginary) : Matrix::Zero(m_ii_.rows(), m_ii_.rows());
+    m_ii_ = restricted(mass, imaginary, imaginary);
+    k_ii_ = stiffness ? restricted(*stiffness, imaginary, imaginary) : Matrix::Zero(m_ii_.rows(), m_ii_.rows());
   }
   units_ = Units::given(size());
   if (natural) change_units();
@@ -181,7 +182,7 @@ double Impedance::given_residual(const ComplexVector& r, const ComplexVector& x,
   return image.cwiseQuotient(d).norm() / (given_scale(omega) * (basis_ * x).cwiseProduct(d).norm());
 }
 
-void Impedance::to_given(dense::Spectrum& s) const {
+void Impedance::to_given(Spectrum& s) const {
   if (basis_.size() > 0) {
     const Index p = split_ < 0 ? size() : split_;
     const Index r = size() - p;
@@ -259,6 +260,21 @@ ComplexMatrix Impedance::combined(Complex on_k, Complex on_g, Complex on_m) cons
 ComplexMatrix Impedance::characteristic_at(Complex lambda) const { return combined(1, lambda, lambda * lambda); }
 ComplexMatrix Impedance::characteristic_slope_at(Complex lambda) const { return combined(0, 1, 2.0 * lambda); }
 
+RowProducts Impedance::products(const Matrix& re, const Matrix& im) const {
+  RowProducts p;
+  p.m_re = lapack::multiply(m_rr_, re);
+  p.m_im = lapack::multiply(mass_ii(), im);
+  p.g_re = Matrix(g_ri_.rows(), im.cols());
+  p.g_im = Matrix(g_ri_.cols(), re.cols());
+  lapack::multiply_into(p.g_re, -1, g_ri_, false, im, false, 0);
+  lapack::multiply_into(p.g_im, -1, g_ri_, true, re, false, 0);
+  if (second_order_) {
+    p.k_re = lapack::multiply(k_rr_, re);
+    p.k_im = lapack::multiply(stiffness_ii(), im);
+  }
+  return p;
+}
+
 ComplexMatrix Impedance::form(const ComplexMatrix& x, double omega) const {
   if (!quadrature()) return x.adjoint() * (complex_slope_at(omega) * x);
   ComplexMatrix star = x;  // X* = T⁻¹X
@@ -284,4 +300,4 @@ Inertia Impedance::inertia_at(double omega) const {
   return quadrature() ? inertia_of_sum(scaled(star(on_k, on_m, on_g), d)) : inertia_of_sum(scaled(hermitian(on_k, on_m, on_g), d));
 }
 
-}  // namespace gyromode
+}  // namespace gyromode::dense

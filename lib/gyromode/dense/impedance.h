@@ -1,24 +1,22 @@
 #pragma once
 
 #include "gyromode/dense/inertia.h"
-#include "gyromode/dense/spectrum.h"
+#include "gyromode/spectrum/impedance.h"
+#include "gyromode/spectrum/spectrum.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/system.h"
 #include "gyromode/system/units.h"
 
 #include <optional>
 
-namespace gyromode {
+namespace gyromode::dense {
 
-/// The impedance matrix of one component in the order of its Spectrum: H(ω) = K − ω²M + jωG, or H₁(ω) = ωI − jG in first order. With a partition
-/// everything is real: H* = T⁻¹HT, T = diag(1, −j) (Boland & Janssens 1979, Eqs. 10–12).
-///
-/// Matrices, shapes and frequencies are in the units of the component (units()): natural ones, or those given.
-class Impedance {
+/// The impedance of one component as dense blocks, in the order of its Spectrum. Matrices, shapes and frequencies are in the units of the component (units()): natural ones, or those given.
+class Impedance : public gyromode::Impedance {
  public:
   /// In the units given.
-  Impedance(const System& system, const dense::Spectrum& s);
-  Impedance(const FirstOrderSystem& system, const dense::Spectrum& s);
+  Impedance(const System& system, const Spectrum& s);
+  Impedance(const FirstOrderSystem& system, const Spectrum& s);
   /// The coordinates `order` of the system (with a partition the first `split` in phase, else −1) in their natural units.
   static Impedance natural(const System& system, std::vector<Index> order, Index split);
   static Impedance natural(const FirstOrderSystem& system, std::vector<Index> order, Index split);
@@ -27,14 +25,11 @@ class Impedance {
   /// there. H(ω) is then known to full relative accuracy in every direction, however small ω and however graded K. Nothing where K is regular. Costs some products; order up to a few hundred.
   std::optional<Impedance> with_null_coordinates() const;
 
-  Index size() const { return static_cast<Index>(order_.size()); }
+  Index size() const override { return static_cast<Index>(order_.size()); }
   const std::vector<Index>& order() const { return order_; }
-  Index split() const { return split_; }
+  Index split() const override { return split_; }
   const Units& units() const { return units_; }
-  /// Whether units are all that the coordinates differ in from those given.
-  bool plain_coordinates() const { return basis_.size() == 0; }
-  bool quadrature() const { return split_ >= 0; }
-  bool second_order() const { return second_order_; }
+  bool second_order() const override { return second_order_; }
 
   /// H*(ω) and its slope −dH*/dω (dH₁*/dω in first order), real symmetric; only with a partition.
   Matrix real_at(double omega) const;
@@ -47,14 +42,16 @@ class Impedance {
   ComplexMatrix characteristic_at(Complex lambda) const;
   ComplexMatrix characteristic_slope_at(Complex lambda) const;
 
-  /// Xᴴ H′(ω) X with H′ the slope above, for any complex shapes X (n × c) in the order of the Spectrum; Hermitian c × c.
-  ComplexMatrix form(const ComplexMatrix& x, double omega) const;
+  RowProducts products(const Matrix& re, const Matrix& im) const override;
+  CharacteristicProducts characteristic_products(const ComplexMatrix& x) const override;
+  ComplexMatrix form(const ComplexMatrix& x, double omega) const override;
+  std::optional<DiscCount> roots_in_disc(Complex centre, double radius) const override;
 
   /// First order only: n₋(H₁(0⁺)) = ½ rank G, from the eigenvalues of −jG (its real form −B, −Bᵀ with a partition); those up to 8 n ε of the largest are zero.
   Index half_rank_of_gyroscopic() const;
 
-  /// n₋(H(ω)), ω > 0, from the real symmetric H* where there is a partition, else from the Hermitian H. No ω is too large or too small for it.
-  Inertia inertia_at(double omega) const;
+  /// From the real symmetric H* where there is a partition, else from the Hermitian H.
+  Inertia inertia_at(double omega) const override;
 
   /// A frequency of the size of the largest, in the unit of time given: max(√(‖K‖/‖M‖), ‖G‖/‖M‖).
   double typical_frequency() const;
@@ -62,18 +59,14 @@ class Impedance {
   /// ‖K‖ + ω‖G‖ + ω²‖M‖ in 1-norms (‖G‖ + ω‖I‖ in first order) of the matrices in the units of the component, and in the units given: what reported residuals are relative to.
   double scale(double omega) const;
   double given_scale(double omega) const;
-  /// ‖r‖/(given_scale(ω)‖x‖) in the units and coordinates given, for r = H(ω)x (n, complex) in those of the component.
-  double given_residual(const ComplexVector& r, const ComplexVector& x, double omega) const;
+  double given_residual(const ComplexVector& r, const ComplexVector& x, double omega) const override;
   /// `s`, found in the units and coordinates of the component, in those given; and the zero shapes the other way round.
-  void to_given(dense::Spectrum& s) const;
+  void to_given(Spectrum& s) const;
   Matrix own_shapes(const Matrix& given) const;
 
-  /// Entry by entry |K_ik| ≤ √(κ_i κ_k), with equality up to a factor of two somewhere in each row; likewise for G and M. weight_i(ω) = κ_i + ωg_i + ω²m_i (g_i + ωm_i in first order): a backward error
-  /// of η in every coefficient, each in its own scale, changes xᴴHx by at most about η Σ weight_i |x_i|². Changes of units leave it as it is.
-  Vector weight(double omega) const;
-  /// The same for what the coefficients were computed from: a rounding error of ε in every operation that made them changes xᴴHx by at most some ε Σ rounding_weight_i |x_i|². weight(ω) where they were given; in
-  /// null coordinates M and G are sums, and the sizes are those of the terms.
-  Vector rounding_weight(double omega) const;
+  Vector weight(double omega) const override;
+  /// weight(ω) where the coefficients were given; in null coordinates M and G are sums, and the sizes are those of the terms.
+  Vector rounding_weight(double omega) const override;
 
   /// The three real symmetric or skew matrices, restricted to the rows that carry the real (r) and the imaginary (i) parts of a shape. Without a partition
   /// both are all rows.
@@ -110,4 +103,4 @@ class Impedance {
   mutable std::optional<Sizes> sizes_;
 };
 
-}  // namespace gyromode
+}  // namespace gyromode::dense

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/dense/unstable_roots.h"
+#include "gyromode/spectrum/unstable_roots.h"
 #include "gyromode/base/types.h"
 #include "gyromode/structure/inertia_of_k.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/dense/ignorable.h"
-#include "gyromode/dense/spectrum.h"
+#include "gyromode/spectrum/spectrum.h"
 
 namespace gyromode::dense {
 

@@ -2,7 +2,9 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
-#include "gyromode/certificate/polish.h"
+#include "gyromode/refinement/correct.h"
+#include "gyromode/refinement/polish.h"
+#include "gyromode/refinement/undecided_flutter.h"
 #include "gyromode/dense/refinement/own_scale.h"
 
 #include <fmt/format.h>
@@ -19,20 +21,21 @@ void go_on(const Progress& progress) {
 }
 
 // Everything in the units of the impedance until the end.
-SolvedComponent certified(Impedance impedance, dense::Spectrum spectrum, const Progress& progress) {
+SolvedComponent certified(dense::Impedance impedance, Spectrum spectrum, const Progress& progress) {
   go_on(progress);
-  Assessment assessment = assess(impedance, spectrum);
+  Assessment assessment = correct(impedance, spectrum);
   polish(impedance, spectrum, assessment);
   go_on(progress);
-  Verdict verdict = judge(impedance, spectrum, assessment);
+  if (impedance.second_order()) return_undecided_flutter(impedance, spectrum, assessment);
+  Verdict verdict = verdict_on(impedance, spectrum, assessment);
   return {std::move(spectrum), std::move(impedance), std::move(assessment), std::move(verdict)};
 }
 
 template <class AnySystem>
 SolvedComponent solved_component(const AnySystem& system, const Component& component, Method method, const Progress& progress) {
   go_on(progress);
-  Impedance impedance = dense::impedance_of(system, component, method);
-  dense::Spectrum spectrum = dense::solve(impedance, component, method);
+  dense::Impedance impedance = dense::impedance_of(system, component, method);
+  Spectrum spectrum = dense::solve(impedance, component, method);
   return certified(std::move(impedance), std::move(spectrum), progress);
 }
 
@@ -67,8 +70,8 @@ SolvedComponent best_component(const AnySystem& system, const Component& compone
   if (method != Method::automatic || convincing(best) || !best.impedance.second_order()) return best;
   constexpr Index own_scale_up_to = 48;
   if (best.impedance.size() <= own_scale_up_to) {
-    Impedance h = best.impedance.with_null_coordinates().value_or(best.impedance);
-    dense::Spectrum known = best.spectrum;
+    dense::Impedance h = best.impedance.with_null_coordinates().value_or(best.impedance);
+    Spectrum known = best.spectrum;
     best.impedance.to_given(known);
     known.zero_shapes = h.own_shapes(known.zero_shapes);
     if (auto roots = dense::solve_in_own_scale(h, known)) {

@@ -11,8 +11,8 @@ namespace gyromode {
 
 /// One component solved and judged.
 struct SolvedComponent {
-  dense::Spectrum spectrum;
-  Impedance impedance;
+  Spectrum spectrum;
+  dense::Impedance impedance;
   Assessment assessment;
   Verdict verdict;
 };

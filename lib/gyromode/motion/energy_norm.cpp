@@ -10,7 +10,7 @@ namespace {
 
 // c of the norm: for K ≥ 0 with zero roots the square of the lowest frequency there is.
 double shift(const ComponentMatrices& m, const SolvedComponent& c) {
-  const dense::Spectrum& s = c.spectrum;
+  const Spectrum& s = c.spectrum;
   if (s.stiffness_negative == 0) {
     if (s.stiffness_zero == 0) return 0;
     const double lowest = s.omega.size() > 0 ? s.omega(0) : c.impedance.typical_frequency();

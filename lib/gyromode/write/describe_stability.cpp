@@ -94,10 +94,11 @@ void describe_cells(const StabilityReport& r, Writer& w) {
   }
   t.columns.push_back({"reason", "", "", Column::In::json});
   t.row = [&, csv = w.for_csv()](Index k) {
-    const auto& [values, p] = r.map->cells[static_cast<std::size_t>(k)];
+    const StabilityMap::Cell& cell = r.map->cells[static_cast<std::size_t>(k)];
+    const StabilityPoint& p = cell.point;
     const auto unless_unlawful = [&](auto x) { return csv && !p.law_kept ? Json(nullptr) : Json(x); };
-    std::vector<Cell> row{{values}};
-    for (const double v : values) row.push_back({v});
+    std::vector<Cell> row{{cell.values}};
+    for (const double v : cell.values) row.push_back({v});
     row.insert(row.end(), {{csv && !p.law_kept ? Json("no_model") : verdict(p), verdict_word(p)}, {unless_unlawful(p.growth_rate), p.law_kept ? "" : " "}, {unless_unlawful(p.balance.real_pairs)},
                            {unless_unlawful(p.balance.quadruples)}, {unless_unlawful(p.balance.negative_energy)}, {p.reason.empty() ? no_value : Json(p.reason)}});
     return row;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/dense/general/normal_form.h"
-#include "gyromode/dense/unstable_roots.h"
+#include "gyromode/spectrum/unstable_roots.h"
 
 #include <vector>
 

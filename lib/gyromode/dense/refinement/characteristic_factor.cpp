@@ -56,7 +56,7 @@ Complex logarithmic_slope(const Impedance& h, Complex lambda) {
   return f.lu.solve(scaled(h.characteristic_slope_at(lambda), f.d)).trace();
 }
 
-std::optional<ContourCount> roots_in_disc(const Impedance& h, Complex centre, double radius) {
+std::optional<DiscCount> roots_in_disc(const Impedance& h, Complex centre, double radius) {
   constexpr Index first = 8, most = 256;
   constexpr double integer_to = 0.01;
   // Points of the doubled rule lie between those of the one before.
@@ -81,10 +81,12 @@ std::optional<ContourCount> roots_in_disc(const Impedance& h, Complex centre, do
       continue;
     }
     const Index roots = static_cast<Index>(rounded);
-    if (before == roots) return ContourCount{roots, roots == 0 ? centre : centre + moment / (static_cast<double>(points) * rounded)};
+    if (before == roots) return DiscCount{roots, roots == 0 ? centre : centre + moment / (static_cast<double>(points) * rounded)};
     before = roots;
   }
   return std::nullopt;
 }
+
+std::optional<DiscCount> Impedance::roots_in_disc(Complex centre, double radius) const { return dense::roots_in_disc(*this, centre, radius); }
 
 }  // namespace gyromode::dense

@@ -17,10 +17,6 @@ Complex logarithmic_slope(const Impedance& h, Complex lambda);
 
 /// The number of roots of det N in the disc |λ − centre| < radius, with multiplicity, by the argument principle: the mean of (λ − centre) tr N⁻¹N′ over equidistant points of the circle, doubled until
 /// it is an integer to 1 %. Nothing where 256 points do not settle it: a root is near the circle. Relative to the distance q of a root from the circle (as a ratio of radii) m points leave an error q^m.
-struct ContourCount {
-  Index roots = 0;
-  Complex mean;  ///< of the roots inside
-};
-std::optional<ContourCount> roots_in_disc(const Impedance& h, Complex centre, double radius);
+std::optional<DiscCount> roots_in_disc(const Impedance& h, Complex centre, double radius);
 
 }  // namespace gyromode::dense

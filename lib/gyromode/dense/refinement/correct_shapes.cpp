@@ -1,6 +1,5 @@
 #include "gyromode/dense/refinement/correct_shapes.h"
 
-#include "gyromode/dense/refinement/characteristic_products.h"
 #include "gyromode/lapack/multiply.h"
 
 #include <cmath>
@@ -30,7 +29,7 @@ Roots all_roots(const Impedance& h, const Spectrum& s) {
     r.right.col(m + k) = r.left.col(m + u + k) = s.unstable.right.col(k).normalized();
     r.left.col(m + k) = r.right.col(m + u + k) = s.unstable.left.col(k).normalized();
   }
-  const CharacteristicProducts p = characteristic_products(h, r.right.leftCols(m + u));
+  const CharacteristicProducts p = h.characteristic_products(r.right.leftCols(m + u));
   for (Index k = 0; k < m + u; ++k) r.slope(k) = r.left.col(k).dot(p.g.col(k) + 2.0 * r.lambda(k) * p.m.col(k));
   for (Index k = 0; k < u; ++k) r.slope(m + u + k) = -std::conj(r.slope(m + k));
   return r;
@@ -49,7 +48,7 @@ void divide(ComplexMatrix& shares, const ComplexVector& lambda, const ComplexVec
 
 // Corrected columns x of roots `of`; `self` their positions among the roots.
 ComplexMatrix corrected(const Impedance& h, const Roots& all, const ComplexVector& of, const ComplexMatrix& x, const std::vector<Index>& self) {
-  const CharacteristicProducts p = characteristic_products(h, x);
+  const CharacteristicProducts p = h.characteristic_products(x);
   const ComplexMatrix r = p.k + p.g * of.asDiagonal() + p.m * ComplexVector(of.array().square()).asDiagonal();
   ComplexMatrix shares = lapack::multiply_adjoint(all.left, r);
   divide(shares, all.lambda, all.slope, of, self);

@@ -1,8 +1,8 @@
-#include "gyromode/dense/spectrum.h"
+#include "gyromode/spectrum/spectrum.h"
 
 #include <algorithm>
 
-namespace gyromode::dense {
+namespace gyromode {
 
 void UnstableRoots::set(Index k, Complex root, const ComplexVector& x, const ComplexVector& y) {
   lambda[static_cast<std::size_t>(k)] = root;
@@ -66,4 +66,4 @@ void Spectrum::to_given_units(const Units& from) {
   unstable.left = (rows(0, size()) * unstable.left).eval();
 }
 
-}  // namespace gyromode::dense
+}  // namespace gyromode

@@ -1,4 +1,4 @@
-#include "gyromode/certificate/assess_unstable.h"
+#include "gyromode/certificate/measure_unstable.h"
 
 #include "gyromode/base/rounding.h"
 #include "gyromode/lapack/small.h"
@@ -8,30 +8,11 @@
 
 namespace gyromode {
 
-void correct_unstable(dense::UnstableRoots& roots, const dense::CharacteristicProducts& p) {
-  constexpr int steps = 2;
-  for (Index i = 0; i < roots.count(); ++i) {
-    const auto y = roots.left.col(i);
-    const Complex k = y.dot(p.k.col(i)), g = y.dot(p.g.col(i)), m = y.dot(p.m.col(i));
-    const auto residual = [&](Complex at) { return (p.k.col(i) + at * p.g.col(i) + (at * at) * p.m.col(i)).norm(); };
-    Complex& lambda = roots.lambda[static_cast<std::size_t>(i)];
-    const bool real = lambda.imag() == 0;
-    for (int step = 0; step < steps; ++step) {
-      Complex change = -(k + lambda * (g + lambda * m)) / (g + 2.0 * lambda * m);
-      if (real) change = change.real();
-      const Complex next = lambda + change;
-      // Near a defective root X turns with λ, and a step that X does not follow makes the pair worse.
-      if (!(std::abs(change) <= 1e-3 * std::abs(lambda)) || !(next.real() > 0) || (!real && !(next.imag() > 0)) || !(residual(next) < residual(lambda))) break;
-      lambda = next;
-    }
-  }
-}
-
-Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableRoots& roots, const dense::CharacteristicProducts& p) {
+Assessment::Unstable measure_unstable(const Impedance& h, const UnstableRoots& roots, const CharacteristicProducts& p) {
   const Index u = roots.count();
   Assessment::Unstable a{Vector(u), Vector(u), Vector(u), Vector(u)};
   // With a partition Y is X̄ but for signs, and its residual that of X.
-  const dense::CharacteristicProducts of_left = h.quadrature() ? dense::CharacteristicProducts{} : dense::characteristic_products(h, roots.left);
+  const CharacteristicProducts of_left = h.quadrature() ? CharacteristicProducts{} : h.characteristic_products(roots.left);
   const double rounding = (2 + std::sqrt(static_cast<double>(h.size()))) * epsilon;
   for (Index i = 0; i < u; ++i) {
     const Complex lambda = roots.lambda[static_cast<std::size_t>(i)];
@@ -57,9 +38,9 @@ Assessment::Unstable measure_unstable(const Impedance& h, const dense::UnstableR
   return a;
 }
 
-double span_bound(const Impedance& h, const dense::UnstableRoots& roots, const std::vector<Index>& group) {
-  const dense::UnstableRoots part = roots.chosen(group);
-  const dense::CharacteristicProducts p = dense::characteristic_products(h, part.right);
+double span_bound(const Impedance& h, const UnstableRoots& roots, const std::vector<Index>& group) {
+  const UnstableRoots part = roots.chosen(group);
+  const CharacteristicProducts p = h.characteristic_products(part.right);
   const Assessment::Unstable a = measure_unstable(h, part, p);
   const Index c = part.count();
   ComplexMatrix gram(c, c);

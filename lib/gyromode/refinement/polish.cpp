@@ -1,4 +1,6 @@
-#include "gyromode/certificate/polish.h"
+#include "gyromode/refinement/polish.h"
+
+#include "gyromode/refinement/correct.h"
 
 #include "gyromode/base/rounding.h"
 #include "gyromode/dense/refinement/correct_shapes.h"
@@ -11,7 +13,7 @@ namespace gyromode {
 namespace {
 
 // Runs of neighbours whose error intervals touch; those with a poor residual among them.
-std::vector<std::vector<Index>> poor_groups(const dense::Spectrum& s, const Assessment& a, double enough) {
+std::vector<std::vector<Index>> poor_groups(const Spectrum& s, const Assessment& a, double enough) {
   std::vector<std::vector<Index>> groups;
   std::vector<Index> run;
   bool poor = false;
@@ -33,7 +35,7 @@ std::vector<std::vector<Index>> poor_groups(const dense::Spectrum& s, const Asse
 }
 
 // Of a large system all poor shapes are corrected at once, by products; what that leaves poor is refined root by root.
-void correct_at_once(const Impedance& h, dense::Spectrum& s, Assessment& a, double enough) {
+void correct_at_once(const dense::Impedance& h, Spectrum& s, Assessment& a, double enough) {
   constexpr int passes = 2;
   for (int pass = 0; pass < passes; ++pass) {
     const auto poor = [&](const Vector& residual) {
@@ -45,9 +47,9 @@ void correct_at_once(const Impedance& h, dense::Spectrum& s, Assessment& a, doub
     };
     const std::vector<Index> modes = poor(a.own_residual), unstable = poor(a.unstable.own_residual);
     if (modes.empty() && unstable.empty()) return;
-    dense::Spectrum next = s;
+    Spectrum next = s;
     dense::correct_shapes(h, next, modes, unstable);
-    Assessment measured = assess(h, next);
+    Assessment measured = correct(h, next);
     if (poor(measured.own_residual).size() + poor(measured.unstable.own_residual).size() >= modes.size() + unstable.size()) return;
     s = std::move(next);
     a = std::move(measured);
@@ -56,7 +58,7 @@ void correct_at_once(const Impedance& h, dense::Spectrum& s, Assessment& a, doub
 
 }  // namespace
 
-void polish(const Impedance& h, dense::Spectrum& s, Assessment& a, Index most) {
+void polish(const dense::Impedance& h, Spectrum& s, Assessment& a, Index most) {
   const double n = static_cast<double>(s.size());
   const bool small = s.size() <= 64;  // beyond, what a certificate asks for is enough, and only so many factorisations as a second or two allow
   const double enough = (small ? 1 : 6) * backward_error(s.size());
@@ -73,6 +75,7 @@ void polish(const Impedance& h, dense::Spectrum& s, Assessment& a, Index most) {
       changed = dense::refine(h, s, group, reach) || changed;
     }
     if (!changed) return;
+    sort_by_frequency(s);
     a = measure(h, s);
   }
 }

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace gyromode::dense {
+namespace gyromode {
 
 /// Roots off the imaginary axis, one of each pair ±σ (Im λ = 0) and quadruple ±σ ± jω: Re λ > 0, Im λ ≥ 0.
 struct UnstableRoots {
@@ -23,4 +23,4 @@ struct UnstableRoots {
   UnstableRoots chosen(const std::vector<Index>& kept) const;
 };
 
-}  // namespace gyromode::dense
+}  // namespace gyromode

@@ -1,7 +1,9 @@
-#include "gyromode/certificate/undecided_flutter.h"
+#include "gyromode/refinement/undecided_flutter.h"
+
+#include "gyromode/refinement/correct.h"
 
 #include "gyromode/base/rounding.h"
-#include "gyromode/certificate/polish.h"
+#include "gyromode/refinement/polish.h"
 #include "gyromode/dense/refinement/refine_unstable.h"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace gyromode {
 namespace {
 
 // Appends two modes at Im λ with the shape of the flutter root, phased so that the larger of its parts is as real as it can be.
-void return_to_axis(dense::Spectrum& s, Index k) {
+void return_to_axis(Spectrum& s, Index k) {
   const double omega = s.unstable.lambda[static_cast<std::size_t>(k)].imag();
   ComplexVector x = s.unstable.right.col(k);
   Complex square = 0;  // the phase that makes the in-phase rows real: half the argument of Σ x²
@@ -32,7 +34,7 @@ void return_to_axis(dense::Spectrum& s, Index k) {
 }
 
 // Every root with Re λ ≥ 0, Im λ ≥ 0.
-std::vector<Complex> all_roots(const dense::Spectrum& s) {
+std::vector<Complex> all_roots(const Spectrum& s) {
   std::vector<Complex> roots;
   for (const double w : s.omega) roots.emplace_back(0, w);
   roots.insert(roots.end(), s.unstable.lambda.begin(), s.unstable.lambda.end());
@@ -54,7 +56,7 @@ double room_around(Complex lambda, const std::vector<Complex>& roots, std::size_
 
 // Roots with a residual above rounding, or a bound that is no small part of the growth rate, are refined by themselves, each by some factorisations of order n: in a large system as many as a few
 // seconds allow, the weakest first.
-bool refine_poor_roots(const Impedance& h, dense::Spectrum& s, const Assessment& a) {
+bool refine_poor_roots(const dense::Impedance& h, Spectrum& s, const Assessment& a) {
   constexpr double small_part = 1e-3;
   const double enough = (s.size() <= 64 ? 1 : 6) * backward_error(s.size());
   std::vector<Index> poor;
@@ -91,8 +93,8 @@ std::pair<ComplexVector, ComplexVector> real_parts(const ComplexVector& x) {
 }
 
 // Flutter so slow that its disc, or a backward error, meets the real axis is two real pairs to rounding: the real and the imaginary part of its vectors are theirs. It grows as well as they do, and counts as much.
-bool part_double_divergence(dense::Spectrum& s, const Assessment& a) {
-  dense::UnstableRoots parted;
+bool part_double_divergence(Spectrum& s, const Assessment& a) {
+  UnstableRoots parted;
   for (Index k = 0; k < s.unstable.count(); ++k) {
     const Complex lambda = s.unstable.lambda[static_cast<std::size_t>(k)];
     const ComplexVector x = s.unstable.right.col(k), y = s.unstable.left.col(k);
@@ -114,10 +116,10 @@ bool part_double_divergence(dense::Spectrum& s, const Assessment& a) {
 
 }  // namespace
 
-void return_undecided_flutter(const Impedance& h, dense::Spectrum& s, Assessment& a) {
+void return_undecided_flutter(const dense::Impedance& h, Spectrum& s, Assessment& a) {
   if (s.unstable.count() == 0) return;
-  if (refine_poor_roots(h, s, a)) a.unstable = assess_unstable(h, s);
-  if (part_double_divergence(s, a)) a.unstable = assess_unstable(h, s);
+  if (refine_poor_roots(h, s, a)) a.unstable = correct_unstable(h, s);
+  if (part_double_divergence(s, a)) a.unstable = correct_unstable(h, s);
   std::vector<Index> kept, returned;
   for (Index k = 0; k < s.unstable.count(); ++k) {
     const double movement = std::max(backward_error(s.size()) * a.unstable.sensitivity(k), 2 * a.unstable.error_bound(k));
@@ -126,6 +128,7 @@ void return_undecided_flutter(const Impedance& h, dense::Spectrum& s, Assessment
   if (returned.empty()) return;
   for (const Index k : returned) return_to_axis(s, k);
   s.unstable = s.unstable.chosen(kept);
+  sort_by_frequency(s);
   a = measure(h, s);
   polish(h, s, a);
 }

@@ -1,4 +1,4 @@
-#include "gyromode/dense/refinement/characteristic_products.h"
+#include "gyromode/dense/impedance.h"
 
 #include "gyromode/lapack/multiply.h"
 
@@ -22,19 +22,18 @@ ComplexMatrix times_transposed(const Matrix& a, const ComplexMatrix& x) {
 
 }  // namespace
 
-CharacteristicProducts characteristic_products(const Impedance& h, const ComplexMatrix& x) {
+CharacteristicProducts Impedance::characteristic_products(const ComplexMatrix& x) const {
   if (x.cols() == 0) return {};
-  if (!h.quadrature()) return {times(h.stiffness_rr(), x), times(h.gyroscopic_ri(), x), times(h.mass_rr(), x)};
-  const Index p = h.split();
-  const Index r = h.size() - p;
+  if (!quadrature()) return {times(k_rr_, x), times(g_ri_, x), times(m_rr_, x)};
+  const Index p = split_, r = size() - p;
   const ComplexMatrix first = x.topRows(p), second = x.bottomRows(r);
   CharacteristicProducts y{ComplexMatrix(x.rows(), x.cols()), ComplexMatrix(x.rows(), x.cols()), ComplexMatrix(x.rows(), x.cols())};
-  y.k.topRows(p) = times(h.stiffness_rr(), first);
-  y.k.bottomRows(r) = times(h.stiffness_ii(), second);
-  y.g.topRows(p) = times(h.gyroscopic_ri(), second);
-  y.g.bottomRows(r) = -times_transposed(h.gyroscopic_ri(), first);
-  y.m.topRows(p) = times(h.mass_rr(), first);
-  y.m.bottomRows(r) = times(h.mass_ii(), second);
+  y.k.topRows(p) = times(k_rr_, first);
+  y.k.bottomRows(r) = times(k_ii_, second);
+  y.g.topRows(p) = times(g_ri_, second);
+  y.g.bottomRows(r) = -times_transposed(g_ri_, first);
+  y.m.topRows(p) = times(m_rr_, first);
+  y.m.bottomRows(r) = times(m_ii_, second);
   return y;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/base/error.h"
-#include "gyromode/dense/unstable_roots.h"
+#include "gyromode/spectrum/unstable_roots.h"
 #include "gyromode/spectrum/method.h"
 #include "gyromode/base/types.h"
 #include "gyromode/structure/inertia_of_k.h"
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace gyromode::dense {
+namespace gyromode {
 
 /// All roots of one connected component of M q̈ + G q̇ + K q = 0 (or I q̇ + G q = 0), as a solver leaves them: not yet certified.
 struct Spectrum {
@@ -47,4 +47,4 @@ struct Spectrum {
   ComplexVector shape(Index k) const;
 };
 
-}  // namespace gyromode::dense
+}  // namespace gyromode

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/dense/impedance.h"
+#include "gyromode/certificate/products.h"
 
 #include <vector>
 
@@ -27,14 +27,8 @@ struct Assessment {
   } unstable;
 };
 
-/// Moves every ω of `s` to the root of Xᴴ H(ω) X = 0 near it (the Rayleigh functional, whose error is quadratic in that of X) by Newton's method, where that
-/// is a correction and no jump; likewise every unstable λ by YᴴN(λ)X; then measures. `s` stays sorted.
-Assessment assess(const Impedance& h, dense::Spectrum& s);
-
-/// Measures `s` as it stands, sorting it.
-Assessment measure(const Impedance& h, dense::Spectrum& s);
-
-/// The roots off the axis alone, moved and measured.
-Assessment::Unstable assess_unstable(const Impedance& h, dense::Spectrum& s);
+/// Measures the roots of `s`, which are in ascending order, as they stand; nothing is changed. `p` and `of_unstable` are the products of its shapes.
+Assessment measure(const Impedance& h, const Spectrum& s, const Products& p, const CharacteristicProducts& of_unstable);
+Assessment measure(const Impedance& h, const Spectrum& s);
 
 }  // namespace gyromode
