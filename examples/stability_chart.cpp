@@ -4,7 +4,7 @@
 // With s = g² − k₁ − k₂ the roots are λ² = [−s ± √(s² − 4k₁k₂)]/2, so that the mass
 //     rolls off (divergence)            for g < |√k₁ − √k₂|,
 //     spirals out (flutter)             up to g = √k₁ + √k₂, at the rate ½√((√k₁ + √k₂)² − g²),
-//     stays (gyroscopically stabilised) beyond; there the two frequencies differ by √(g² − (√k₁ + √k₂)²) and have energies of opposite sign.
+//     stays (gyroscopically stabilised) beyond; there the frequencies differ by √(g² − (√k₁ + √k₂)²) and their energies have opposite signs.
 #include "comparison.h"
 
 #include <gyromode/gyromode.h>

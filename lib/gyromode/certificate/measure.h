@@ -22,7 +22,8 @@ struct Assessment {
   std::vector<Index> cluster;  ///< c of every root, 1 for a simple one
   bool no_root_twice = false;  ///< Parseval's identity showed it (K regular, as many roots as there must be): see parseval.h
 
-  struct Unstable {  ///< the same of the roots off the axis, with the left vector Y: |δλ| ≤ (|Y|ᵀ|r| + c ε rounded) / |YᴴN′(λ)X|; own_residual is the larger one of X and Y
+  /// The same of the roots off the axis, with the left vector Y: |δλ| ≤ (|Y|ᵀ|r| + c ε rounded) / |YᴴN′(λ)X|; own_residual is the larger one of X and Y.
+  struct Unstable {
     Vector residual, own_residual, error_bound, sensitivity;
   } unstable;
 };

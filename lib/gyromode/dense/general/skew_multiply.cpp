@@ -10,7 +10,8 @@ namespace {
 // The columns [from, to) of the lower triangle `a` (n × n, leading dimension `stride`) and their mirror images.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)
 // Sums in any order, so that they fill vector registers; NaN and infinity stay what they are.
-__attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"), optimize("O3", "associative-math", "no-signed-zeros", "no-trapping-math")))
+__attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"),
+               optimize("O3", "associative-math", "no-signed-zeros", "no-trapping-math")))
 #endif
 void multiply_columns(const double* a, Index stride, Index n, Index from, Index to, const double* v, double* y) {
   std::fill(y, y + n, 0.0);
