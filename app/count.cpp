@@ -35,7 +35,8 @@ void add_count(CLI::App& program, int& code) {
   o->source.add_to(*verb);
   o->window.add_to(*verb);
   o->output.add_to(*verb);
-  verb->footer("Examples:\n  gyromode count models/wiresaw.toml --below 20\n  gyromode count models/three_springs.toml --window 10Hz:100Hz");
+  verb->footer(
+      "Examples:\n  gyromode count models/wiresaw.toml --below 20\n  gyromode count models/three_springs.toml --window 10Hz:100Hz");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
 }
 

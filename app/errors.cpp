@@ -11,8 +11,10 @@ namespace gyromode::app {
 namespace {
 
 int failed(ExitCode code, const std::string& what) {
-  if (code == ExitCode::internal_error) fmt::print(stderr, "gyromode: internal error: {} (please report it with the model)\n", what);
-  else fmt::print(stderr, "gyromode: {}\n", what);
+  if (code == ExitCode::internal_error)
+    fmt::print(stderr, "gyromode: internal error: {} (please report it with the model)\n", what);
+  else
+    fmt::print(stderr, "gyromode: {}\n", what);
   return static_cast<int>(code);
 }
 

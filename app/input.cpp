@@ -48,20 +48,25 @@ Model ModelSource::admitted(Model m) const { return coupling_tolerance == 0 ? m 
 Model ModelSource::read() const {
   const bool matrices = !mass.empty() || !gyroscopic.empty() || !stiffness.empty();
   if (model.empty() == !matrices) {
-    throw UsageError(matrices ? "give a model file or --mass and --stiffness, not both"
-                              : "no model: give a model file (gyromode modes models/rigid_body.toml) or --mass M.mtx [--gyroscopic G.mtx] --stiffness K.mtx");
+    throw UsageError(
+        matrices
+            ? "give a model file or --mass and --stiffness, not both"
+            : "no model: give a model file (gyromode modes models/rigid_body.toml) or --mass M.mtx [--gyroscopic G.mtx] --stiffness K.mtx");
   }
   if (!matrices) return located(model, [&] { return admitted(read_model(model)); });
   if (mass.empty() || stiffness.empty()) {
     throw UsageError(fmt::format("{} is missing: M and K are both needed (G may be left out)", mass.empty() ? "--mass" : "--stiffness"));
   }
   const std::string files = fmt::format("{}, {}{}{}", mass, gyroscopic, gyroscopic.empty() ? "" : ", ", stiffness);
-  return located(files, [&] { return admitted(read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness)); });
+  return located(files, [&] {
+    return admitted(read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness));
+  });
 }
 
 void WindowOption::add_to(CLI::App& verb) {
   auto* b = verb.add_option("--below", below, "Modes with ω in [0, W); rad/s, or 5Hz, 300rpm")->type_name("W");
-  auto* w = verb.add_option("--window", window, "Modes with ω in [A, B); each bound in rad/s or with its own unit, B may be left out")->type_name("A:B");
+  auto* w = verb.add_option("--window", window, "Modes with ω in [A, B); each bound in rad/s or with its own unit, B may be left out")
+                ->type_name("A:B");
   b->excludes(w);
 }
 

@@ -18,7 +18,8 @@ struct ModelSource {
   void add_to(CLI::App& verb);
   /// The model as every verb sees it: read, and without the couplings that are to be left out.
   Model read() const;
-  /// The same of a model already made: its system without those couplings. Throws NotApplicable for a spacecraft, whose couplings follow from its parts.
+  /// The same of a model already made: its system without those couplings. Throws NotApplicable for a spacecraft, whose
+  /// couplings follow from its parts.
   Model admitted(Model model) const;
 };
 

@@ -30,7 +30,9 @@ void add_amplitudes(const std::string& list, const std::string& whole, const Lab
     if (equals == std::string::npos) throw UsageError(fmt::format("--force {}: '{}' where LABEL=VALUE was expected", whole, piece));
     const std::string label = piece.substr(0, equals);
     const auto at = std::find(labels.begin(), labels.end(), label);
-    if (at == labels.end()) throw UsageError(fmt::format("--force {}: '{}' is no coordinate of the model: did you mean '{}'?", whole, label, nearest(label, known)));
+    if (at == labels.end())
+      throw UsageError(
+          fmt::format("--force {}: '{}' is no coordinate of the model: did you mean '{}'?", whole, label, nearest(label, known)));
     to(at - labels.begin()) += number(piece.substr(equals + 1), whole, "--force");
   }
 }
@@ -51,7 +53,8 @@ std::vector<Force> forces_of(const std::vector<std::string>& texts, const Labels
     f.course = course == "impulse" ? Force::Course::impulse : course == "step" ? Force::Course::step : Force::Course::harmonic;
     if (f.course == Force::Course::harmonic) {
       const std::size_t at = list.rfind('@');
-      if (at == std::string::npos) throw UsageError(fmt::format("--force {}: the frequency of a harmonic force is missing: harmonic:LABEL=F@W, such as @5Hz", text));
+      if (at == std::string::npos)
+        throw UsageError(fmt::format("--force {}: the frequency of a harmonic force is missing: harmonic:LABEL=F@W, such as @5Hz", text));
       f.frequency = frequency_option("--force", list.substr(at + 1));
       if (!(f.frequency >= 0)) throw UsageError(fmt::format("--force {}: a frequency ≥ 0 was expected", text));
       list.resize(at);
@@ -79,7 +82,10 @@ std::vector<BoomPoint> points_of(const std::vector<std::string>& texts) {
     if ((kind != "cable" && kind != "beam" && !mass) || which < 1 || mass != (at == std::string::npos)) {
       throw UsageError(fmt::format("--points {}: cable1@0.5, beam1@1 or mass1 was expected", text));
     }
-    BoomPoint p{mass ? BoomPoint::Part::mass : kind == "cable" ? BoomPoint::Part::cable : BoomPoint::Part::beam, static_cast<Index>(which), 1};
+    BoomPoint p{mass              ? BoomPoint::Part::mass
+                : kind == "cable" ? BoomPoint::Part::cable
+                                  : BoomPoint::Part::beam,
+                static_cast<Index>(which), 1};
     if (!mass) p.along = number(text.substr(at + 1), text, "--points");
     points.push_back(p);
   }
@@ -89,9 +95,11 @@ std::vector<BoomPoint> points_of(const std::vector<std::string>& texts) {
 Vector frequency_grid(const std::string& option, const std::string& text) {
   const std::size_t first = text.find(':'), second = first == std::string::npos ? first : text.find(':', first + 1);
   if (second == std::string::npos) throw UsageError(fmt::format("{} {}: A:B:N was expected, such as 1Hz:50Hz:200", option, text));
-  const double a = frequency_option(option, text.substr(0, first)), b = frequency_option(option, text.substr(first + 1, second - first - 1));
+  const double a = frequency_option(option, text.substr(0, first)),
+               b = frequency_option(option, text.substr(first + 1, second - first - 1));
   const auto n = whole_number(text.substr(second + 1));
-  if (!n || *n < 2 || *n > 1000000) throw UsageError(fmt::format("{} {}: a number of points from 2 to 1000000 was expected at the end", option, text));
+  if (!n || *n < 2 || *n > 1000000)
+    throw UsageError(fmt::format("{} {}: a number of points from 2 to 1000000 was expected at the end", option, text));
   if (!(a >= 0) || !(b > a)) throw UsageError(fmt::format("{} {}: 0 ≤ A < B was expected", option, text));
   return Vector::LinSpaced(static_cast<Index>(*n), a, b);
 }

@@ -9,7 +9,8 @@
 
 namespace gyromode::app {
 
-/// "impulse:LABEL=P,LABEL=P", "step:LABEL=F", "harmonic:LABEL=F@5Hz". Throws UsageError naming the text and what was expected.
+/// "impulse:LABEL=P,LABEL=P", "step:LABEL=F", "harmonic:LABEL=F@5Hz". Throws UsageError naming the text and what was
+/// expected.
 std::vector<Force> forces_of(const std::vector<std::string>& texts, const Labels& labels);
 
 /// "LABEL=F,LABEL=F": the amplitude of a steady force, all of the texts together.

@@ -36,7 +36,8 @@ int main(int argc, char** argv) {
       "  gyromode modes models/rigid_body.toml\n"
       "  gyromode modes --mass M.mtx --gyroscopic G.mtx --stiffness K.mtx --below 50Hz -o modes.json\n"
       "  gyromode structure models/wiresaw.toml\n"
-      "Exit codes: 0 done and certified, 1 usage, 2 unreadable input, 3 input against a law, 4 not certified complete, 70 internal error, 130 interrupted (what is known by then is written, and marked).");
+      "Exit codes: 0 done and certified, 1 usage, 2 unreadable input, 3 input against a law, 4 not certified complete, 70 internal error, "
+      "130 interrupted (what is known by then is written, and marked).");
   int code = 0;
   add_modes(program, code);
   add_structure(program, code);
@@ -46,7 +47,8 @@ int main(int argc, char** argv) {
   add_convert(program, code);
   const std::vector<std::string_view> verbs = verbs_of(program);
   if (argc > 1 && argv[1][0] != '-' && std::find(verbs.begin(), verbs.end(), argv[1]) == verbs.end()) {
-    std::fprintf(stderr, "gyromode: '%s' is no verb: did you mean '%s'? (see gyromode --help)\n", argv[1], gyromode::nearest(argv[1], verbs).c_str());
+    std::fprintf(stderr, "gyromode: '%s' is no verb: did you mean '%s'? (see gyromode --help)\n", argv[1],
+                 gyromode::nearest(argv[1], verbs).c_str());
     return static_cast<int>(gyromode::ExitCode::wrong_usage);
   }
   try {

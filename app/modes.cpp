@@ -38,7 +38,8 @@ Labels labels_of(const std::string& list, const Labels& labels) {
   const std::vector<std::string_view> known(labels.begin(), labels.end());
   std::istringstream words(list);
   for (std::string label; std::getline(words, label, ',');) {
-    if (std::find(labels.begin(), labels.end(), label) == labels.end()) throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model: did you mean '{}'?", label, nearest(label, known)));
+    if (std::find(labels.begin(), labels.end(), label) == labels.end())
+      throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model: did you mean '{}'?", label, nearest(label, known)));
     if (std::find(chosen.begin(), chosen.end(), label) != chosen.end()) throw UsageError(fmt::format("--keep: '{}' is given twice", label));
     chosen.push_back(label);
   }
@@ -49,8 +50,10 @@ Labels labels_of(const std::string& list, const Labels& labels) {
 void bound(ModesOptions& options, const Options& o) {
   if (o.all) throw UsageError("--all: a spacecraft with exact booms has infinitely many modes; give --below W, --window A:B or --lowest N");
   if (options.lowest) return;
-  if (!o.window.given()) options.lowest = lowest_of_infinitely_many;
-  else if (options.window.open()) throw UsageError("--window: a spacecraft with exact booms has infinitely many modes; the upper end is needed");
+  if (!o.window.given())
+    options.lowest = lowest_of_infinitely_many;
+  else if (options.window.open())
+    throw UsageError("--window: a spacecraft with exact booms has infinitely many modes; the upper end is needed");
 }
 
 ExitCode run(const Options& given) {
@@ -95,29 +98,43 @@ std::string above_zero(const std::string& text) {
 }  // namespace
 
 void add_modes(CLI::App& program, int& code) {
-  CLI::App* verb = program.add_subcommand("modes", "All modes of a model, or those of a window: frequencies, energy signs, shapes, verdict, certificate");
+  CLI::App* verb = program.add_subcommand(
+      "modes", "All modes of a model, or those of a window: frequencies, energy signs, shapes, verdict, certificate");
   auto o = std::make_shared<Options>();
   o->source.add_to(*verb);
-  auto* lowest = verb->add_option("--lowest", o->lowest, "Only the N lowest that are not rigid-body modes")->type_name("N")->check(CLI::Validator(above_zero, ""));
-  auto* all = verb->add_flag("--all", o->all, "All modes (the default for matrices; a spacecraft has infinitely many, and its default is --lowest 10)");
+  auto* lowest = verb->add_option("--lowest", o->lowest, "Only the N lowest that are not rigid-body modes")
+                     ->type_name("N")
+                     ->check(CLI::Validator(above_zero, ""));
+  auto* all = verb->add_flag("--all", o->all,
+                             "All modes (the default for matrices; a spacecraft has infinitely many, and its default is --lowest 10)");
   o->window.add_to(*verb);
   for (const char* name : {"--below", "--window"}) {
     lowest->excludes(verb->get_option(name));
     all->excludes(verb->get_option(name));
   }
   all->excludes(lowest);
-  verb->add_option("--method", o->method, "Matrices: auto, quadrature, hidden (a symmetry found in any coordinates), general, first-order, symmetric-2n (the two classical 2n methods); spacecraft: exact, or discrete (finite elements, to compare)")
+  verb->add_option("--method", o->method,
+                   "Matrices: auto, quadrature, hidden (a symmetry found in any coordinates), general, first-order, symmetric-2n (the two "
+                   "classical 2n methods); spacecraft: exact, or discrete (finite elements, to compare)")
       ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "quadrature", "hidden", "general", "first-order", "symmetric-2n", "exact", "discrete"}))
       ->capture_default_str();
-  verb->add_option("--elements", o->elements, "Linear elements a cable of --method discrete (default 50)")->type_name("N")->check(CLI::Range(1, 2000));
-  verb->add_option("--keep", o->keep, "Matrices: see the modes from these coordinates alone, LABEL,LABEL,…; modes in which they take no part are local")->type_name("LABELS");
+  verb->add_option("--elements", o->elements, "Linear elements a cable of --method discrete (default 50)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 2000));
+  verb->add_option("--keep", o->keep,
+                   "Matrices: see the modes from these coordinates alone, LABEL,LABEL,…; modes in which they take no part are local")
+      ->type_name("LABELS");
   verb->add_flag("--shapes", o->shapes, "With the mode shapes: motion is Re(X e^{jωt}), largest entry 1");
-  verb->add_option("--schema", o->schema, "Version of the JSON schema: 1, a shape with each mode (default); 2, all shapes as one block")->type_name("VERSION")->check(CLI::IsMember({1, 2}));
+  verb->add_option("--schema", o->schema, "Version of the JSON schema: 1, a shape with each mode (default); 2, all shapes as one block")
+      ->type_name("VERSION")
+      ->check(CLI::IsMember({1, 2}));
   o->output.add_to(*verb);
-  verb->footer("Examples:\n  gyromode modes models/three_springs.toml --shapes\n  gyromode modes models/wiresaw.toml --lowest 3 --format json\n"
-                              "  gyromode modes models/geos.toml --below 40rpm\n  gyromode modes models/geos.toml --lowest 6 -o shapes.svg\n  gyromode modes models/geos.toml --method discrete --elements 100\n"
-               "  gyromode modes --mass M.mtx --gyroscopic G.mtx --stiffness K.mtx --window 1Hz:50Hz -o modes.csv");
+  verb->footer(
+      "Examples:\n  gyromode modes models/three_springs.toml --shapes\n  gyromode modes models/wiresaw.toml --lowest 3 --format json\n"
+      "  gyromode modes models/geos.toml --below 40rpm\n  gyromode modes models/geos.toml --lowest 6 -o shapes.svg\n  gyromode modes "
+      "models/geos.toml --method discrete --elements 100\n"
+      "  gyromode modes --mass M.mtx --gyroscopic G.mtx --stiffness K.mtx --window 1Hz:50Hz -o modes.csv");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
 }
 

@@ -12,15 +12,18 @@
 namespace gyromode::app {
 
 void OutputOption::add_to(CLI::App& verb) {
-  verb.add_option("--format", format, "table, json, csv, markdown, or svg (mode shapes of a spacecraft); default: by the extension of -o, else table")
+  verb.add_option("--format", format,
+                  "table, json, csv, markdown, or svg (mode shapes of a spacecraft); default: by the extension of -o, else table")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"table", "json", "csv", "markdown", "svg"}));
-  verb.add_option("-o,--output", file, "Write the result to FILE (.json, .csv, .md, .svg by extension) instead of stdout")->type_name("FILE");
+  verb.add_option("-o,--output", file, "Write the result to FILE (.json, .csv, .md, .svg by extension) instead of stdout")
+      ->type_name("FILE");
   verb.add_flag("--quiet", quiet, "No remarks on stderr; errors remain");
 }
 
 Format OutputOption::chosen(Format otherwise) const {
-  if (!pictures && (format == "svg" || (format.empty() && format_for(file) == Format::svg))) throw UsageError("svg is for the mode shapes of a spacecraft: gyromode modes MODEL -o shapes.svg");
+  if (!pictures && (format == "svg" || (format.empty() && format_for(file) == Format::svg)))
+    throw UsageError("svg is for the mode shapes of a spacecraft: gyromode modes MODEL -o shapes.svg");
   if (!format.empty()) return *format_named(format);
   return file.empty() ? otherwise : format_for(file);
 }

@@ -34,9 +34,12 @@ Vector times_of(const Options& o) {
   }
   if (!o.until || !o.step) throw UsageError("response needs times: --until T --step DT, or --times FILE");
   if (!(*o.until >= 0) || !std::isfinite(*o.until)) throw UsageError(fmt::format("--until {}: a time ≥ 0 was expected", *o.until));
-  if (!(*o.step > 0) || !std::isfinite(*o.step)) throw UsageError(fmt::format("--step {}: a step above 0 was expected, so that times increase", *o.step));
+  if (!(*o.step > 0) || !std::isfinite(*o.step))
+    throw UsageError(fmt::format("--step {}: a step above 0 was expected, so that times increase", *o.step));
   const double steps = std::floor(*o.until / *o.step * (1 + 1e-12));
-  if (!(steps < most_rows)) throw UsageError(fmt::format("--until {} --step {}: {:.3g} rows are more than the {:.0e} that are written", *o.until, *o.step, steps, most_rows));
+  if (!(steps < most_rows))
+    throw UsageError(
+        fmt::format("--until {} --step {}: {:.3g} rows are more than the {:.0e} that are written", *o.until, *o.step, steps, most_rows));
   Vector t(static_cast<Index>(steps) + 1);
   for (Index k = 0; k < t.size(); ++k) t(k) = static_cast<double>(k) * *o.step;
   return t;
@@ -56,7 +59,9 @@ void say_resonances(const FrequencyReport& r, const OutputOption& output) {
   for (const FrequencyPoint& p : r.response.points) {
     if (!p.participation || p.added || p.driven == Driven::no) continue;
     output.say(fmt::format("ω = {:.17g} rad/s of the grid is {}, participation {:.1e}", p.omega,
-                           p.resonance() ? "a resonance: the response is unbounded there" : "that of a mode, and whether the force drives it cannot be told: the limit from both sides is given",
+                           p.resonance()
+                               ? "a resonance: the response is unbounded there"
+                               : "that of a mode, and whether the force drives it cannot be told: the limit from both sides is given",
                            *p.participation));
   }
 }
@@ -65,18 +70,25 @@ void say_resonances(const FrequencyReport& r, const OutputOption& output) {
 bool certified(const ResponseReport& r, const OutputOption& output) {
   constexpr double loose = 1e-6;  // of the motion; rad
   if (!r.balance_closed) output.say("not certified: the index balance does not close, so some motion may be missing");
-  if (!(r.departure <= loose)) output.say(fmt::format("not certified: the parts add up to what sets them in motion to {:.1e} only: modes so close to each other are not told apart", r.departure));
+  if (!(r.departure <= loose))
+    output.say(fmt::format(
+        "not certified: the parts add up to what sets them in motion to {:.1e} only: modes so close to each other are not told apart",
+        r.departure));
   if (!(r.phase_error <= loose)) {
-    output.say(fmt::format("not certified: at t = {:g} phases are known to {:.1e} rad only, the error bound of a frequency times t: ask for less time", r.history.t(r.history.t.size() - 1), r.phase_error));
+    output.say(fmt::format(
+        "not certified: at t = {:g} phases are known to {:.1e} rad only, the error bound of a frequency times t: ask for less time",
+        r.history.t(r.history.t.size() - 1), r.phase_error));
   }
   return r.balance_closed && r.departure <= loose && r.phase_error <= loose;
 }
 
 ExitCode run(const Options& o) {
   const bool sweep = !o.frequencies.empty();
-  if (sweep && (!o.initial.empty() || o.until || o.step || !o.times.empty() || !o.points.empty())) throw UsageError("--frequencies is the response at steady frequencies: no initial state, no times");
+  if (sweep && (!o.initial.empty() || o.until || o.step || !o.times.empty() || !o.points.empty()))
+    throw UsageError("--frequencies is the response at steady frequencies: no initial state, no times");
   if (sweep && o.forces.empty()) throw UsageError("--frequencies needs a force: --force LABEL=F");
-  if (!sweep && o.initial.empty() && o.forces.empty()) throw UsageError("nothing moves: give --initial FILE.csv (columns label,q,qdot) or --force");
+  if (!sweep && o.initial.empty() && o.forces.empty())
+    throw UsageError("nothing moves: give --initial FILE.csv (columns label,q,qdot) or --force");
   Job job(o.source, o.output);
   if (sweep) {
     const FrequencyReport report = job.answer([&](const Model& m) { return swept(m, o, job.progress()); });
@@ -95,22 +107,33 @@ ExitCode run(const Options& o) {
 }  // namespace
 
 void add_response(CLI::App& program, int& code) {
-  CLI::App* verb = program.add_subcommand("response", "Motion over time from initial conditions and forces, mode by mode; or the response to forces at steady frequencies");
+  CLI::App* verb = program.add_subcommand(
+      "response", "Motion over time from initial conditions and forces, mode by mode; or the response to forces at steady frequencies");
   auto o = std::make_shared<Options>();
   o->source.add_to(*verb);
-  verb->add_option("--initial", o->initial, "Initial displacements and velocities: CSV with the columns label,q,qdot")->type_name("FILE.csv");
+  verb->add_option("--initial", o->initial, "Initial displacements and velocities: CSV with the columns label,q,qdot")
+      ->type_name("FILE.csv");
   verb->add_option("--until", o->until, "Last time, s")->type_name("T");
   verb->add_option("--step", o->step, "Time between rows, s (output only: there is no time stepping)")->type_name("DT");
   verb->add_option("--times", o->times, "Times instead of --until and --step: one a line, increasing")->type_name("FILE");
-  verb->add_option("--force", o->forces, "impulse:LABEL=P,…  step:LABEL=F,…  harmonic:LABEL=F,…@W (F cos Wt); with --frequencies LABEL=F,…")->type_name("FORCE")->take_all();
-  verb->add_option("--frequencies", o->frequencies, "The response q of q e^{jωt} at N frequencies from A to B instead, points added beside resonances")->type_name("A:B:N");
-  verb->add_option("--points", o->points, "Spacecraft: also the displacement of these places: cable1@0.5 (from root 0 to tip 1), beam1@1, mass1")->type_name("PLACE")->delimiter(',');
+  verb->add_option("--force", o->forces, "impulse:LABEL=P,…  step:LABEL=F,…  harmonic:LABEL=F,…@W (F cos Wt); with --frequencies LABEL=F,…")
+      ->type_name("FORCE")
+      ->take_all();
+  verb->add_option("--frequencies", o->frequencies,
+                   "The response q of q e^{jωt} at N frequencies from A to B instead, points added beside resonances")
+      ->type_name("A:B:N");
+  verb->add_option("--points", o->points,
+                   "Spacecraft: also the displacement of these places: cable1@0.5 (from root 0 to tip 1), beam1@1, mass1")
+      ->type_name("PLACE")
+      ->delimiter(',');
   verb->add_flag("--rates", o->rates, "Also velocities, one column more a coordinate");
   o->output.add_to(*verb);
-  verb->footer("Without --format the result is CSV.\nExamples:\n  gyromode response models/rigid_body.toml --initial tilt.csv --until 60 --step 0.5 -o tilt.json\n"
-               "  gyromode response models/three_springs.toml --force impulse:y=1 --until 0.1 --step 0.001\n"
-               "  gyromode response models/three_springs.toml --force x=1 --frequencies 10Hz:200Hz:100 -o response.csv\n"
-               "  gyromode response models/geos.toml --force impulse:theta1=10 --points cable1@1 --until 120 --step 1");
+  verb->footer(
+      "Without --format the result is CSV.\nExamples:\n  gyromode response models/rigid_body.toml --initial tilt.csv --until 60 --step 0.5 "
+      "-o tilt.json\n"
+      "  gyromode response models/three_springs.toml --force impulse:y=1 --until 0.1 --step 0.001\n"
+      "  gyromode response models/three_springs.toml --force x=1 --frequencies 10Hz:200Hz:100 -o response.csv\n"
+      "  gyromode response models/geos.toml --force impulse:theta1=10 --points cable1@1 --until 120 --step 1");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
 }
 

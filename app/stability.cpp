@@ -29,10 +29,13 @@ struct AxisText {
 
 AxisText taken_apart(const std::string& text) {
   constexpr std::int64_t most = 100000;
-  const std::size_t equals = text.rfind('='), first = text.find(':', equals), second = first == std::string::npos ? first : text.find(':', first + 1);
-  if (equals == std::string::npos || second == std::string::npos) throw UsageError(fmt::format("--vary {}: KEY=A:B:N was expected, such as spin=5rpm:20rpm:31", text));
+  const std::size_t equals = text.rfind('='), first = text.find(':', equals),
+                    second = first == std::string::npos ? first : text.find(':', first + 1);
+  if (equals == std::string::npos || second == std::string::npos)
+    throw UsageError(fmt::format("--vary {}: KEY=A:B:N was expected, such as spin=5rpm:20rpm:31", text));
   const auto n = whole_number(text.substr(second + 1));
-  if (!n || *n < 2 || *n > most) throw UsageError(fmt::format("--vary {}: a number of values from 2 to {} was expected at the end", text, most));
+  if (!n || *n < 2 || *n > most)
+    throw UsageError(fmt::format("--vary {}: a number of values from 2 to {} was expected at the end", text, most));
   return {text, text.substr(0, equals), text.substr(equals + 1, first - equals - 1), text.substr(first + 1, second - first - 1), *n};
 }
 
@@ -43,7 +46,8 @@ std::vector<AxisText> axes_of(const std::vector<std::string>& vary) {
   if (axes.size() == 2 && axes[0].keys == axes[1].keys) throw UsageError(fmt::format("--vary: '{}' is given twice", axes[0].keys));
   if (axes.size() > 2) throw UsageError("--vary: one parameter, or two for a chart");
   if (axes.size() == 2 && axes[0].values * axes[1].values > most_cells) {
-    throw UsageError(fmt::format("--vary: {} × {} = {} cells are more than the {} that a map may have: ask for fewer values", axes[0].values, axes[1].values, axes[0].values * axes[1].values, most_cells));
+    throw UsageError(fmt::format("--vary: {} × {} = {} cells are more than the {} that a map may have: ask for fewer values",
+                                 axes[0].values, axes[1].values, axes[0].values * axes[1].values, most_cells));
   }
   return axes;
 }
@@ -58,13 +62,15 @@ ParameterAxis axis_of(const Model& model, const AxisText& text) {
   }();
   const auto bound = [&](const std::string& end) {
     const auto value = value_of(parameter, end);
-    if (!value) throw UsageError(fmt::format("--vary {}: '{}' is no number in SI or with a unit that fits '{}'", text.whole, end, text.keys));
+    if (!value)
+      throw UsageError(fmt::format("--vary {}: '{}' is no number in SI or with a unit that fits '{}'", text.whole, end, text.keys));
     return *value;
   };
   const double a = bound(text.from), b = bound(text.to);
   if (!(b > a) || !std::isfinite(b - a)) throw UsageError(fmt::format("--vary {}: finite A < B was expected", text.whole));
   ParameterAxis axis{text.keys, {}};
-  for (std::int64_t k = 0; k < text.values; ++k) axis.values.push_back(k + 1 == text.values ? b : a + (b - a) * static_cast<double>(k) / static_cast<double>(text.values - 1));
+  for (std::int64_t k = 0; k < text.values; ++k)
+    axis.values.push_back(k + 1 == text.values ? b : a + (b - a) * static_cast<double>(k) / static_cast<double>(text.values - 1));
   return axis;
 }
 
@@ -91,19 +97,23 @@ ExitCode run(const Options& o) {
 }  // namespace
 
 void add_stability(CLI::App& program, int& code) {
-  CLI::App* verb = program.add_subcommand("stability", "Stability verdict with its proof: the index balance, negative-energy modes, growth rates, margins; mapped over parameters");
+  CLI::App* verb = program.add_subcommand(
+      "stability",
+      "Stability verdict with its proof: the index balance, negative-energy modes, growth rates, margins; mapped over parameters");
   auto o = std::make_shared<Options>();
   o->source.add_to(*verb);
   verb->add_option("--vary", o->vary,
-                   "Also the verdict at N values from A to B of a number of the model file, and the critical values between; twice: a chart. KEY is its dotted path, arrays from 0, [*] for all items; "
+                   "Also the verdict at N values from A to B of a number of the model file, and the critical values between; twice: a "
+                   "chart. KEY is its dotted path, arrays from 0, [*] for all items; "
                    "SI, or each bound with its own unit")
       ->type_name("KEY=A:B:N")
       ->take_all();
   o->output.add_to(*verb);
-  verb->footer("Examples:\n  gyromode stability models/three_springs.toml\n  gyromode stability models/rigid_body.toml --format json\n"
-               "  gyromode stability models/three_springs.toml --vary spin=0:12000rpm:25\n"
-               "  gyromode stability models/geos.toml --vary 'cable[*].length=5:40:8'\n"
-               "  gyromode stability models/mms.toml --vary body.inertia[2]=500:3000:6 --format json");
+  verb->footer(
+      "Examples:\n  gyromode stability models/three_springs.toml\n  gyromode stability models/rigid_body.toml --format json\n"
+      "  gyromode stability models/three_springs.toml --vary spin=0:12000rpm:25\n"
+      "  gyromode stability models/geos.toml --vary 'cable[*].length=5:40:8'\n"
+      "  gyromode stability models/mms.toml --vary body.inertia[2]=500:3000:6 --format json");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
 }
 

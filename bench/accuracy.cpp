@@ -19,7 +19,8 @@ constexpr std::uint64_t seed = 1979;
 // λ²M + λG + K measured with the norms computed once.
 class Residual {
  public:
-  Residual(const Matrix& m, const Matrix& g, const Matrix& k) : m_(m), g_(g), k_(k), norm_m_(norm1(m)), norm_g_(norm1(g)), norm_k_(norm1(k)) {}
+  Residual(const Matrix& m, const Matrix& g, const Matrix& k)
+      : m_(m), g_(g), k_(k), norm_m_(norm1(m)), norm_g_(norm1(g)), norm_k_(norm1(k)) {}
   explicit Residual(const System& s) : Residual(s.mass(), s.gyroscopic(), s.stiffness()) {}
 
   double operator()(Complex lambda, const ComplexVector& x) const {

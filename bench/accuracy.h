@@ -4,8 +4,8 @@
 
 namespace gyromode::bench {
 
-/// Residuals of one method on one system, in units of n ε:
-/// ‖(λ²M + λG + K)x‖₂ / ((‖K‖ + |λ|‖G‖ + |λ|²‖M‖)‖x‖₂), 1-norms of matrices, over one root of every pair and quadruple that has a vector.
+/// Residuals of one method on one system, in units of n ε: ‖(λ²M + λG + K)x‖₂ / ((‖K‖ + |λ|‖G‖ + |λ|²‖M‖)‖x‖₂), 1-norms
+/// of matrices, over one root of every pair and quadruple that has a vector.
 struct Score {
   std::string system;
   std::string method;

@@ -1,4 +1,5 @@
-// Rows h and i: a certified answer against the rival's bare one, where K is indefinite; and how the time of every verb grows with the order.
+// Rows h and i: a certified answer against the rival's bare one, where K is indefinite; and how the time of every verb
+// grows with the order.
 #include "machine.h"
 #include "rivals.h"
 #include "rows.h"
@@ -31,7 +32,8 @@ Row against_dgeev(const std::string& title, const System& system, int rounds) {
                           const ModesResult r = find_modes(system, with_shapes());
                           *path = fmt::format("{}; {}, {}", r.solver, to_string(r.coverage.status), to_string(r.stability));
                         }};
-  const Contestant bare{"dgeev of order 2n", fmt::format("{}; companion form, given", Dgeev::options), [&] { rival.reset(); }, [&] { rival.solve(); }};
+  const Contestant bare{"dgeev of order 2n", fmt::format("{}; companion form, given", Dgeev::options), [&] { rival.reset(); },
+                        [&] { rival.solve(); }};
   const Others others;
   Row row{"h", title, {}, 0, interleaved({ours, bare}, rounds)};
   row.others = others.share();
@@ -54,7 +56,8 @@ std::vector<Row> certified_rows(const RowOptions& options) {
   const int few = std::min(options.rounds, 3);
   const auto general = [&](const char* what, Index order, Regime regime) {
     const Index n = scaled_order(order, options);
-    rows.push_back(against_dgeev(fmt::format("general, K indefinite, {}, n = {}", what, n), general_indefinite(n, regime, seed), order > 500 ? few : options.rounds));
+    rows.push_back(against_dgeev(fmt::format("general, K indefinite, {}, n = {}", what, n), general_indefinite(n, regime, seed),
+                                 order > 500 ? few : options.rounds));
   };
   general("plain", 1000, Regime::plain);
   general("G twentyfold", 1000, Regime::spin20);
@@ -64,7 +67,8 @@ std::vector<Row> certified_rows(const RowOptions& options) {
   general("mixed units", 400, Regime::mixed);
   general("spinning beam", 400, Regime::beam);
   const Index n = scaled_order(500, options);
-  rows.push_back(against_dgeev(fmt::format("quadrature, both blocks indefinite, unstable, n = {}", n), quadrature_indefinite(n, Balance::mixed, seed), options.rounds));
+  rows.push_back(against_dgeev(fmt::format("quadrature, both blocks indefinite, unstable, n = {}", n),
+                               quadrature_indefinite(n, Balance::mixed, seed), options.rounds));
   return rows;
 }
 
@@ -72,14 +76,18 @@ std::vector<Row> growth_rows(const RowOptions& options) {
   std::vector<Row> rows;
   const std::vector<std::pair<const char*, std::function<void(const System&)>>> verbs{
       {"modes with shapes", [](const System& s) { find_modes(s, with_shapes()); }},
-      {"count", [](const System& s) { count_modes(s, {0, 1}); }},
+      {"count",
+       [](const System& s) {
+         count_modes(s, {0, 1});
+       }},
       {"structure", [](const System& s) { analyse(s, HiddenSearch::always); }},
       {"stability margin", [](const System& s) { stiffness_margin(s); }}};
   const auto of = [&](const char* what, const std::function<System(Index)>& made) {
     for (const Index order : {200, 400, 800, 1600}) {
       const Index n = scaled_order(order, options), half = scaled_order(order / 2, options);
       const System whole = made(n), part = made(half);
-      for (const auto& [verb, call] : verbs) rows.push_back(growth(fmt::format("{}, {}, n = {}", what, verb, n), whole, part, call, order > 500 ? 1 : 3));
+      for (const auto& [verb, call] : verbs)
+        rows.push_back(growth(fmt::format("{}, {}, n = {}", what, verb, n), whole, part, call, order > 500 ? 1 : 3));
     }
   };
   of("quadrature, K > 0", [](Index n) { return quadrature_definite(n, 1e3, seed); });

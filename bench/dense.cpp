@@ -23,7 +23,8 @@ struct Group {
 };
 
 const std::vector<Group> groups = {
-    {"a", quadrature_rows}, {"b", general_rows}, {"c", indefinite_rows}, {"d", certificate_rows}, {"e", process_rows}, {"f", spacecraft_rows}, {"g", hidden_rows}, {"h", certified_rows}, {"i", growth_rows},
+    {"a", quadrature_rows}, {"b", general_rows}, {"c", indefinite_rows}, {"d", certificate_rows}, {"e", process_rows},
+    {"f", spacecraft_rows}, {"g", hidden_rows},  {"h", certified_rows},  {"i", growth_rows},
 };
 
 void print(const std::string& text) {
@@ -62,15 +63,22 @@ int main(int argc, char** argv) {
   std::string json_file;
   CLI::App app{"Ratios of medians of gyromode's dense solvers to LAPACK's drivers, interleaved in one run.", "gyromode_bench"};
   app.add_option("--n-scale", report.options.n_scale, "multiplies every order")->check(CLI::PositiveNumber);
-  app.add_option("--repetitions", report.options.rounds, "timed rounds after one to warm up")->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--process-repetitions", report.options.process_rounds, "the same for row e")->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--only", only, "rows to run: a, b, c, d, e, f, g, h, i, accuracy")->delimiter(',')->check(CLI::IsMember({"a", "b", "c", "d", "e", "f", "g", "h", "i", "accuracy"}));
+  app.add_option("--repetitions", report.options.rounds, "timed rounds after one to warm up")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--process-repetitions", report.options.process_rounds, "the same for row e")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--only", only, "rows to run: a, b, c, d, e, f, g, h, i, accuracy")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"a", "b", "c", "d", "e", "f", "g", "h", "i", "accuracy"}));
   app.add_option("--json", json_file, "write everything to this file");
   app.add_option("--program", report.options.program, "the program of row e")->capture_default_str();
   app.add_option("--model", report.options.model, "the model of row e")->capture_default_str();
   app.add_option("--revision", report.revision, "git revision to record");
   bool default_memory = false;
-  app.add_flag("--default-memory", default_memory, "let the C library give freed memory back, as it does where nobody calls keep_freed_memory()");
+  app.add_flag("--default-memory", default_memory,
+               "let the C library give freed memory back, as it does where nobody calls keep_freed_memory()");
   CLI11_PARSE(app, argc, argv);
   if (!default_memory) gyromode::lapack::keep_freed_memory();
   try {

@@ -36,8 +36,10 @@ Row against_general(const std::string& title, const System& system, int rounds) 
                           const Structure s = analyse(system, HiddenSearch::always);
                           *path = dense::solve(system, s.components.front()).solver;
                         }};
-  const Contestant general{"general", "dense::solve without a partition", {}, [&] { dense::solve(system, visible.components.front(), Method::general); }};
-  const Contestant search{"search alone", "what it costs where there is nothing to find", {}, [&] { analyse(system, HiddenSearch::always); }};
+  const Contestant general{
+      "general", "dense::solve without a partition", {}, [&] { dense::solve(system, visible.components.front(), Method::general); }};
+  const Contestant search{
+      "search alone", "what it costs where there is nothing to find", {}, [&] { analyse(system, HiddenSearch::always); }};
   const Others others;
   Row row{"g", title, {}, 0, interleaved({ours, general, search}, rounds)};
   row.others = others.share();
@@ -51,12 +53,14 @@ std::vector<Row> hidden_rows(const RowOptions& options) {
   std::vector<Row> rows;
   for (const Index order : {125, 250, 500, 1000}) {
     const Index n = scaled_order(order, options);
-    rows.push_back(against_general(fmt::format("hidden quadrature, K > 0, n = {}", n), hidden(quadrature_definite(n, 1e3, seed)), options.rounds));
+    rows.push_back(
+        against_general(fmt::format("hidden quadrature, K > 0, n = {}", n), hidden(quadrature_definite(n, 1e3, seed)), options.rounds));
   }
   for (const Index order : {125, 250, 500, 1000}) {
     const Index n = scaled_order(order, options);
     // Without a partition the largest takes half a minute a round.
-    rows.push_back(against_general(fmt::format("hidden quadrature, both blocks indefinite, n = {}", n), hidden(quadrature_indefinite(n, Balance::stabilised, seed)), n > 600 ? 1 : std::min(options.rounds, 3)));
+    rows.push_back(against_general(fmt::format("hidden quadrature, both blocks indefinite, n = {}", n),
+                                   hidden(quadrature_indefinite(n, Balance::stabilised, seed)), n > 600 ? 1 : std::min(options.rounds, 3)));
   }
   return rows;
 }

@@ -33,7 +33,8 @@ struct Ratio {
 };
 Ratio ratio(const Timing& numerator, const Timing& denominator);
 
-/// A B C  A B C  …: one round to warm up, then `rounds` timed ones, so that drift of the machine meets all contestants alike.
+/// A B C A B C …: one round to warm up, then `rounds` timed ones, so that drift of the machine meets all contestants
+/// alike.
 std::vector<Timing> interleaved(const std::vector<Contestant>& contestants, int rounds);
 
 /// The value below which a fraction q of the values lies, linear between neighbours.

@@ -22,7 +22,8 @@ struct Machine {
 
 Machine this_machine();
 
-/// How much of the machine's processors others used since construction, from /proc/stat and getrusage: 0 quiet, 1 all of it.
+/// How much of the machine's processors others used since construction, from /proc/stat and getrusage: 0 quiet, 1 all
+/// of it.
 class Others {
  public:
   Others();

@@ -11,15 +11,15 @@ std::string text(const Machine& m, const std::string& revision) {
       "software  gyromode {} ({}), {}, {}\n"
       "BLAS      {}, kernels {}, {} thread{}; LAPACK {}\n"
       "date      {}\n",
-      m.cpu, m.cores, m.memory_gb, m.load, m.gyromode, revision, m.compiler, m.build, m.openblas, m.core, m.threads, m.threads == 1 ? "" : "s",
-      m.lapack, m.date);
+      m.cpu, m.cores, m.memory_gb, m.load, m.gyromode, revision, m.compiler, m.build, m.openblas, m.core, m.threads,
+      m.threads == 1 ? "" : "s", m.lapack, m.date);
 }
 
 std::string text(const Row& row) {
   std::string out = fmt::format("\n{}  {}\n", row.key, row.title);
   if (!row.solver.empty()) out += fmt::format("   path: {}\n", row.solver);
-  out += fmt::format("   {:<22}{:>12}{:>9}{:>12}   {:<18}(others used {:.0f} % of the machine)\n", "", "median", "spread", "ratio", "round by round",
-                     100 * row.others);
+  out += fmt::format("   {:<22}{:>12}{:>9}{:>12}   {:<18}(others used {:.0f} % of the machine)\n", "", "median", "spread", "ratio",
+                     "round by round", 100 * row.others);
   for (std::size_t i = 0; i < row.timings.size(); ++i) {
     const Timing& t = row.timings[i];
     out += fmt::format("   {:<22}{:>9.2f} ms{:>7.1f} %", t.name, 1e3 * t.median(), 100 * t.spread());
@@ -55,15 +55,20 @@ Json json(const Machine& m) {
 Json json(const Row& row) {
   Json contestants = Json::array();
   for (const Timing& t : row.timings) {
-    contestants.push_back({{"name", t.name}, {"options", t.options}, {"median_s", t.median()}, {"spread", t.spread()}, {"seconds", t.seconds}});
+    contestants.push_back(
+        {{"name", t.name}, {"options", t.options}, {"median_s", t.median()}, {"spread", t.spread()}, {"seconds", t.seconds}});
   }
   Json ratios = Json::array();
   for (std::size_t i = 1; i < row.timings.size(); ++i) {
     const Ratio r = ratio(row.timings[0], row.timings[i]);
-    ratios.push_back(
-        {{"of", row.timings[0].name}, {"to", row.timings[i].name}, {"of_medians", r.of_medians}, {"lowest", r.lowest}, {"highest", r.highest}});
+    ratios.push_back({{"of", row.timings[0].name},
+                      {"to", row.timings[i].name},
+                      {"of_medians", r.of_medians},
+                      {"lowest", r.lowest},
+                      {"highest", r.highest}});
   }
-  return {{"row", row.key}, {"title", row.title}, {"path", row.solver}, {"others", row.others}, {"contestants", contestants}, {"ratios", ratios}};
+  return {{"row", row.key},       {"title", row.title},         {"path", row.solver},
+          {"others", row.others}, {"contestants", contestants}, {"ratios", ratios}};
 }
 
 Json json(const Score& s) {
@@ -89,7 +94,8 @@ Json json(const Report& report) {
   return {{"schema", "gyromode/bench/1"},
           {"revision", report.revision},
           {"machine", json(report.machine)},
-          {"options", {{"n_scale", report.options.n_scale}, {"rounds", report.options.rounds}, {"process_rounds", report.options.process_rounds}}},
+          {"options",
+           {{"n_scale", report.options.n_scale}, {"rounds", report.options.rounds}, {"process_rounds", report.options.process_rounds}}},
           {"rows", list_of(report.rows)},
           {"accuracy", list_of(report.accuracy)}};
 }

@@ -4,7 +4,8 @@
 
 namespace gyromode::bench {
 
-/// LAPACK's drivers as a user would call them, on copies made before the clock starts: `reset` copies, `solve` overwrites.
+/// LAPACK's drivers as a user would call them, on copies made before the clock starts: `reset` copies, `solve`
+/// overwrites.
 
 /// LAPACKE_dsyevd(COL_MAJOR, jobz V, uplo L): all eigenvalues and vectors of a symmetric matrix.
 class Dsyevd {

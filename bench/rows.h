@@ -13,10 +13,10 @@ namespace gyromode::bench {
 
 /// One interleaved run. Ratios are those of the first contestant, ours, to each of the others.
 struct Row {
-  std::string key;    ///< "a" … "i"
-  std::string title;  ///< the system and its order
-  std::string solver;   ///< what gyromode says of the solver it took
-  double others = 0;  ///< share of the processors that other processes used meanwhile: what to distrust a row for
+  std::string key;     ///< "a" … "i"
+  std::string title;   ///< the system and its order
+  std::string solver;  ///< what gyromode says of the solver it took
+  double others = 0;   ///< share of the processors that other processes used meanwhile: what to distrust a row for
   std::vector<Timing> timings;
 };
 

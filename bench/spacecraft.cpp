@@ -55,13 +55,17 @@ std::vector<Row> spacecraft_rows(const RowOptions& options) {
     const WithoutSpinPhase twin(discretise(s, mesh), spin_phase_of_twin);
     const Structure structure = analyse(twin.system());
     const Contestant ours{"find_modes", "exact fields, all modes below 40 spins, certified", {}, [&] { find_modes(s, below); }};
-    const Contestant theirs{"finite elements", fmt::format("dense::solve of M, G, K, {} linear elements a wire, given", mesh.elements), {}, [&] {
-                              for (const Component& c : structure.components) dense::solve(twin.system(), c);
-                            }};
+    const Contestant theirs{
+        "finite elements", fmt::format("dense::solve of M, G, K, {} linear elements a wire, given", mesh.elements), {}, [&] {
+          for (const Component& c : structure.components) dense::solve(twin.system(), c);
+        }};
     const Others others;
-    Row row{"f", fmt::format("Geos, {} modes; {} elements a wire (n = {}) miss the six lowest by {:.1e}, the highest by {:.1e}; 1e-9 of the six needs about {:.0f}", exact.size(), mesh.elements,
-                             twin.system().size(), lowest, fine.size() >= exact.size() ? worst(fine, exact, exact.size()) : 1.0,
-                             static_cast<double>(mesh.elements) * std::sqrt(lowest / 1e-9)),
+    Row row{"f",
+            fmt::format("Geos, {} modes; {} elements a wire (n = {}) miss the six lowest by {:.1e}, the highest by {:.1e}; 1e-9 of the six "
+                        "needs about {:.0f}",
+                        exact.size(), mesh.elements, twin.system().size(), lowest,
+                        fine.size() >= exact.size() ? worst(fine, exact, exact.size()) : 1.0,
+                        static_cast<double>(mesh.elements) * std::sqrt(lowest / 1e-9)),
             reference.solver, 0, interleaved({ours, theirs}, mesh.elements > 400 ? std::min(options.rounds, 3) : options.rounds)};
     row.others = others.share();
     rows.push_back(std::move(row));

@@ -116,7 +116,9 @@ System quadrature_indefinite(Index n, Balance balance, std::uint64_t seed) {
     b(i) = pair.b;
   }
   const Matrix s1 = source.regular(p, std::sqrt(moderate)), s2 = source.regular(p, std::sqrt(moderate));
-  const auto onto = [](const Matrix& left, const Vector& d, const Matrix& right) { return lapack::multiply_tn(left, d.asDiagonal() * right); };
+  const auto onto = [](const Matrix& left, const Vector& d, const Matrix& right) {
+    return lapack::multiply_tn(left, d.asDiagonal() * right);
+  };
   const Vector one = Vector::Ones(p);
   return System(symmetric_part(diagonal_blocks(onto(s1, one, s1), onto(s2, one, s2))), across(onto(s1, b, s2)),
                 symmetric_part(diagonal_blocks(onto(s1, k1, s1), onto(s2, k2, s2))));
@@ -165,11 +167,16 @@ System general_indefinite(Index n, Regime regime, std::uint64_t seed) {
   if (regime == Regime::beam) return spinning_beam(n, orthogonal_matrix(n));
   const Index own = regime == Regime::copies ? n / 2 : n;
   Vector d(own);
-  for (Index i = 0; i < own; ++i) d(i) = size(bits) * (i < own / 10 ? -1 : 1) * (regime == Regime::graded ? std::pow(10.0, 8.0 * static_cast<double>(i) / static_cast<double>(own)) : 1);
+  for (Index i = 0; i < own; ++i)
+    d(i) = size(bits) * (i < own / 10 ? -1 : 1) *
+           (regime == Regime::graded ? std::pow(10.0, 8.0 * static_cast<double>(i) / static_cast<double>(own)) : 1);
   const Matrix q = orthogonal_matrix(own);
   Matrix k = symmetric_part(q * d.asDiagonal() * q.transpose());
   Matrix g = gaussian_matrix(own);
-  g = (g - g.transpose()).eval() / std::sqrt(2.0 * static_cast<double>(own)) * (regime == Regime::spin20 ? 20 : regime == Regime::huge ? 1e6 : 1);
+  g = (g - g.transpose()).eval() / std::sqrt(2.0 * static_cast<double>(own)) *
+      (regime == Regime::spin20 ? 20
+       : regime == Regime::huge ? 1e6
+                                : 1);
   Matrix m = Matrix::Identity(n, n);
   if (regime == Regime::copies) {
     const Matrix t = orthogonal_matrix(n);

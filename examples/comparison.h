@@ -4,7 +4,8 @@
 #include <cstdio>
 #include <string>
 
-/// Every number that an example prints stands beside a second way to it, a closed form or another method, and is compared with it there and then.
+/// Every number that an example prints stands beside a second way to it, a closed form or another method, and is
+/// compared with it there and then.
 class Comparison {
  public:
   /// Promises |value − other| ≤ relative · |other|; NaN fails. Prints both and their relative difference.

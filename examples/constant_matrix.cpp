@@ -1,8 +1,11 @@
-// One constant real symmetric matrix W of order n for a system of the general class: its eigenvalues are ω², whatever the frequency.
+// One constant real symmetric matrix W of order n for a system of the general class: its eigenvalues are ω², whatever
+// the frequency.
 //
-// Boland & Janssens (ESA Journal 3, 1979) make H(ω) of the general class real by a transformation that depends on ω, and leave a constant one to a later paper.
-// constant_form() gives it where K ≥ 0 (docs/theory.md (T8)). The system is the wire of a wiresaw (Wei & Kao, J. Sound Vib. 231, 2000) by five sine functions,
-// pressed on an elastic guide at 0.3 of its length: the guide couples what the transport of the wire keeps apart, and no partition is left, open or hidden.
+// Boland & Janssens (ESA Journal 3, 1979) make H(ω) of the general class real by a transformation that depends on ω,
+// and leave a constant one to a later paper. constant_form() gives it where K ≥ 0 (docs/theory.md (T8)). The system is
+// the wire of a wiresaw (Wei & Kao, J. Sound Vib. 231, 2000) by five sine functions, pressed on an elastic guide at 0.3
+// of its length: the guide couples what the transport of the wire keeps apart, and no partition is left, open or
+// hidden.
 #include "comparison.h"
 
 #include <gyromode/gyromode.h>

@@ -1,8 +1,10 @@
 // Hidden quadrature: a rotor whose matrices show no quadrature partition has one in other axes, and it is found.
 //
-// A shaft with two discs turns at 4000 rpm on bearings of 1 MN/m across and 0.8 MN/m along the vertical: Friswell, Penny, Garvey & Lees, Dynamics of Rotating
-// Machines (2010), Example 5.9.2, here with three Euler–Bernoulli elements. In the axes of the bearings one plane of bending moves in phase and the other in
-// quadrature. Written in axes turned by 20° every coordinate meets every other, and no partition is visible; the reversing symmetry R is there all the same.
+// A shaft with two discs turns at 4000 rpm on bearings of 1 MN/m across and 0.8 MN/m along the vertical: Friswell,
+// Penny, Garvey & Lees, Dynamics of Rotating Machines (2010), Example 5.9.2, here with three Euler–Bernoulli elements.
+// In the axes of the bearings one plane of bending moves in phase and the other in quadrature. Written in axes turned
+// by 20° every coordinate meets every other, and no partition is visible; the reversing symmetry R is there all the
+// same.
 #include "comparison.h"
 
 #include <gyromode/gyromode.h>
@@ -19,12 +21,17 @@ Matrix planes(const Matrix& a, const Matrix& b, const Matrix& c, const Matrix& d
   return whole;
 }
 
-// Displacement and slope at 4 nodes in plane 1, then the same in plane 2, 16 coordinates; `turn`: of the axes from those of the bearings, rad.
+// Displacement and slope at 4 nodes in plane 1, then the same in plane 2, 16 coordinates; `turn`: of the axes from
+// those of the bearings, rad.
 System rotor(double turn) {
   constexpr double pi = std::numbers::pi, density = 7810, young = 211e9, radius = 0.025, l = 0.5, spin = 4000 * pi / 30;
   const double bending = young * pi * std::pow(radius, 4) / 4 / (l * l * l), mass = density * pi * radius * radius * l / 420;
-  const Matrix k{{12, 6 * l, -12, 6 * l}, {6 * l, 4 * l * l, -6 * l, 2 * l * l}, {-12, -6 * l, 12, -6 * l}, {6 * l, 2 * l * l, -6 * l, 4 * l * l}};
-  const Matrix m{{156, 22 * l, 54, -13 * l}, {22 * l, 4 * l * l, 13 * l, -3 * l * l}, {54, 13 * l, 156, -22 * l}, {-13 * l, -3 * l * l, -22 * l, 4 * l * l}};
+  const Matrix k{
+      {12, 6 * l, -12, 6 * l}, {6 * l, 4 * l * l, -6 * l, 2 * l * l}, {-12, -6 * l, 12, -6 * l}, {6 * l, 2 * l * l, -6 * l, 4 * l * l}};
+  const Matrix m{{156, 22 * l, 54, -13 * l},
+                 {22 * l, 4 * l * l, 13 * l, -3 * l * l},
+                 {54, 13 * l, 156, -22 * l},
+                 {-13 * l, -3 * l * l, -22 * l, 4 * l * l}};
   Matrix shaft = Matrix::Zero(8, 8), inertia = shaft, polar = shaft, bearings = shaft;
   for (Index element = 0; element < 3; ++element) {
     shaft.block(2 * element, 2 * element, 4, 4) += bending * k;
@@ -39,7 +46,8 @@ System rotor(double turn) {
   bearings(0, 0) = bearings(6, 6) = 1e6;
   const double c = std::cos(turn), s = std::sin(turn);
   const Matrix none = Matrix::Zero(8, 8), across = -0.2 * s * c * bearings;
-  return {planes(inertia, none, none, inertia), planes(none, spin * polar, -spin * polar, none),  // G is the same in all axes
+  return {planes(inertia, none, none, inertia),
+          planes(none, spin * polar, -spin * polar, none),  // G is the same in all axes
           planes(shaft + (c * c + 0.8 * s * s) * bearings, across, across, shaft + (s * s + 0.8 * c * c) * bearings),
           {"u1", "u1'", "u2", "u2'", "u3", "u3'", "u4", "u4'", "v1", "v1'", "v2", "v2'", "v3", "v3'", "v4", "v4'"}};
 }
@@ -59,10 +67,12 @@ int main() {
   const Matrix r = finding.reflection.value();
   const std::string words = in_words(r, turned.labels());
   std::printf("R: %s\n", words.c_str());
-  check.holds("an axis of the bearings", words.find("along the line at 70°") != words.npos || words.find("along the line at -20°") != words.npos);
+  check.holds("an axis of the bearings",
+              words.find("along the line at 70°") != words.npos || words.find("along the line at -20°") != words.npos);
   const double c = std::cos(2 * turn), s = -std::sin(2 * turn);
   const Matrix one = Matrix::Identity(8, 8), mirror = planes(c * one, s * one, s * one, -c * one);
-  // Rounding turns R as far as it can move two nearly equal frequencies of the planes past each other: those above 9000 rad/s differ by half a percent.
+  // Rounding turns R as far as it can move two nearly equal frequencies of the planes past each other: those above 9000
+  // rad/s differ by half a percent.
   check.at_most("distance of R to the mirror", std::min((r - mirror).norm(), (r + mirror).norm()), 1e-9);
   check.at_most("departure from R² = 1, RᵀKR = K, RᵀGR = −G", finding.departure, finding.threshold);
 

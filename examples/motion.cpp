@@ -1,8 +1,9 @@
 // Motion over time without stepping: nutation of a spinning rigid body after an impulse, and at resonance.
 //
-// Boland & Janssens, ESA Journal 3 (1979), first example: small tilts θ1, θ2 from axes that turn steadily. A torque impulse p about axis 1
-// turns the angular momentum in space by p/(I₃Ω): the tilt mode, at ω = Ω. About it the body nutates at ω_n = Ω√((I₃ − I₁)(I₃ − I₂)/(I₁I₂)). Euler's equations
-// and conservation of angular momentum give all of it in closed form:
+// Boland & Janssens, ESA Journal 3 (1979), first example: small tilts θ1, θ2 from axes that turn steadily. A torque
+// impulse p about axis 1 turns the angular momentum in space by p/(I₃Ω): the tilt mode, at ω = Ω. About it the body
+// nutates at ω_n = Ω√((I₃ − I₁)(I₃ − I₂)/(I₁I₂)). Euler's equations and conservation of angular momentum give all of it
+// in closed form:
 //     rates        w1 = (p/I₁) cos ω_n t,   w2 = (p/I₁)(I₃ − I₁)Ω/(I₂ω_n) sin ω_n t
 //     tilts        θ1 = (I₂w2 + p sin Ωt)/(I₃Ω),   θ2 = (p cos Ωt − I₁w1)/(I₃Ω)
 #include "comparison.h"
@@ -17,7 +18,8 @@ using namespace gyromode;
 int main() {
   constexpr double i1 = 90, i2 = 110, i3 = 150, spin = 1.0471975511965976;  // kg m²; 10 rpm
   constexpr double p = 0.5, torque = 0.01;                                  // N m s, N m
-  const double nutation = spin * std::sqrt((i3 - i1) * (i3 - i2) / (i1 * i2)), ratio = (i3 - i1) * spin / (i2 * nutation), g = (i1 + i2 - i3) * spin;
+  const double nutation = spin * std::sqrt((i3 - i1) * (i3 - i2) / (i1 * i2)), ratio = (i3 - i1) * spin / (i2 * nutation),
+               g = (i1 + i2 - i3) * spin;
   const System body(Matrix{{i1, 0}, {0, i2}}, Matrix{{0, -g}, {g, 0}}, spin * spin * Matrix{{i3 - i2, 0}, {0, i3 - i1}}, {"θ1", "θ2"});
   const State rest{Vector::Zero(2), Vector::Zero(2)};
   const Vector about1 = Vector::Unit(2, 0);
@@ -43,7 +45,8 @@ int main() {
     check.equal("energy [J]" + at, kicked.energy(w), 0.5 * p * p / i1, rounding);
   }
 
-  // A torque cos ω_n t from rest: w1 = torque/(2I₁)(t cos ω_n t + sin(ω_n t)/ω_n), growing as t. w1 = θ̇1 − Ωθ2: what a gyro on the body measures.
+  // A torque cos ω_n t from rest: w1 = torque/(2I₁)(t cos ω_n t + sin(ω_n t)/ω_n), growing as t. w1 = θ̇1 − Ωθ2: what a
+  // gyro on the body measures.
   std::printf("Driven at resonance: rate about axis 1 at the peaks\n");
   const Response driven(body, rest, {{.course = Force::Course::harmonic, .amplitude = torque * about1, .frequency = slow.omega}});
   for (const int cycles : {1, 10, 100, 1000}) {

@@ -1,9 +1,11 @@
-// The impedance matrix H(ω) = K − ω²M + jωG made real symmetric, H* = UᴴHU, in the three ways of realify(); and n₋(H*) as a count of modes.
+// The impedance matrix H(ω) = K − ω²M + jωG made real symmetric, H* = UᴴHU, in the three ways of realify(); and n₋(H*)
+// as a count of modes.
 //
-// Boland & Janssens, ESA Journal 3 (1979): T = diag(1, −j), Eqs. 10–12, and S(ψ), Eqs. 16–19. Their asymmetric body, spinning at 100 rad/s, hangs on two
-// elastic hinges that turn with it: along its principal axes T serves at every ω; turned by φ from them, the angle ψ depends on ω. The third way, Householder
-// reflections, serves any n: a pipe on two supports that carries water (Païdoussis, Fluid–Structure Interactions 1, 1998, ch. 3) by five sine functions,
-// with a spring at 0.3 of its length. K > 0 in all three, so that n₋(H(ω)) is the number of modes below ω.
+// Boland & Janssens, ESA Journal 3 (1979): T = diag(1, −j), Eqs. 10–12, and S(ψ), Eqs. 16–19. Their asymmetric body,
+// spinning at 100 rad/s, hangs on two elastic hinges that turn with it: along its principal axes T serves at every ω;
+// turned by φ from them, the angle ψ depends on ω. The third way, Householder reflections, serves any n: a pipe on two
+// supports that carries water (Païdoussis, Fluid–Structure Interactions 1, 1998, ch. 3) by five sine functions, with a
+// spring at 0.3 of its length. K > 0 in all three, so that n₋(H(ω)) is the number of modes below ω.
 #include "comparison.h"
 
 #include <gyromode/gyromode.h>
@@ -41,7 +43,8 @@ void compare(Comparison& check, const System& system, double omega, const Realif
   const auto below = std::count_if(modes.begin(), modes.end(), [&](const Mode& m) { return m.omega < omega; });
   check.equal("n₋(H*), and modes below ω", static_cast<double>(real.negative()), static_cast<double>(below), 0);
   const ComplexMatrix &h = real.impedance, &u = real.unitary;
-  const double change = (u.adjoint() * h * u - real.real_symmetric).norm() / h.norm(), unity = (u.adjoint() * u - Matrix::Identity(u.rows(), u.cols())).norm();
+  const double change = (u.adjoint() * h * u - real.real_symmetric).norm() / h.norm(),
+               unity = (u.adjoint() * u - Matrix::Identity(u.rows(), u.cols())).norm();
   check.at_most("‖UᴴHU − H*‖/‖H‖ + ‖UᴴU − 1‖", change + unity, 1e-14);
 }
 
@@ -54,7 +57,8 @@ int main() {
   check.equal("H*₁₂ = ωG₁₂", by_t.real_symmetric(0, 1), -110 * (i1 + i2 - i3) * spin, 1e-15);
   compare(check, plain, 110, by_t);
 
-  // tan 2ψ = 2c/(a − d): ψ falls from 50° to 0 and passes 45°, where ½ arctan jumps by 90°. Handed on, it does not; at ω = spin it is φ itself.
+  // tan 2ψ = 2c/(a − d): ψ falls from 50° to 0 and passes 45°, where ½ arctan jumps by 90°. Handed on, it does not; at
+  // ω = spin it is φ itself.
   std::printf("S(ψ): hinges turned by φ = 30°\n");
   const System turned = hinged_body(pi / 6);
   const Structure structure = analyse(turned);

@@ -1,10 +1,11 @@
 // A stability chart: gyroscopic stabilisation of a mass on a hill, and the thresholds where it begins.
 //
-// 1 kg on a hill of curvatures −k₁, −k₂, held by a gyroscopic force g: M = 1, G = g [0 −1; 1 0], K = −diag(k₁, k₂) (Thomson & Tait, Natural Philosophy, §345).
-// With s = g² − k₁ − k₂ the roots are λ² = [−s ± √(s² − 4k₁k₂)]/2, so that the mass
+// 1 kg on a hill of curvatures −k₁, −k₂, held by a gyroscopic force g: M = 1, G = g [0 −1; 1 0], K = −diag(k₁, k₂)
+// (Thomson & Tait, Natural Philosophy, §345). With s = g² − k₁ − k₂ the roots are λ² = [−s ± √(s² − 4k₁k₂)]/2, so that
+// the mass
 //     rolls off (divergence)            for g < |√k₁ − √k₂|,
 //     spirals out (flutter)             up to g = √k₁ + √k₂, at the rate ½√((√k₁ + √k₂)² − g²),
-//     stays (gyroscopically stabilised) beyond; there the frequencies differ by √(g² − (√k₁ + √k₂)²) and their energies have opposite signs.
+//     stays (gyroscopically stabilised) beyond; there the frequencies differ by √(g² − (√k₁ + √k₂)²), energies of opposite sign.
 #include "comparison.h"
 
 #include <gyromode/gyromode.h>

@@ -2,9 +2,10 @@
 //
 //     example_wire_booms models/geos.toml
 //
-// GEOS (Boland & Janssens, ESA Journal 3, 1979) spins at 10 rpm with two wires of 20 m along ± its axis 2. An impulse p about axis 1 tilts the angular
-// momentum by p/(J₃₃Ω) and sets the wires flapping. SpacecraftResponse has the wires as finite elements; find_modes() and impedance_at() have them as
-// continua, by Legendre's functions: a mode ω, X of the exact H(ω) takes the amplitude 2|X (Xᴴf)| / |Xᴴ (dH/dω) X| from an impulse f.
+// GEOS (Boland & Janssens, ESA Journal 3, 1979) spins at 10 rpm with two wires of 20 m along ± its axis 2. An impulse p
+// about axis 1 tilts the angular momentum by p/(J₃₃Ω) and sets the wires flapping. SpacecraftResponse has the wires as
+// finite elements; find_modes() and impedance_at() have them as continua, by Legendre's functions: a mode ω, X of the
+// exact H(ω) takes the amplitude 2|X (Xᴴf)| / |Xᴴ (dH/dω) X| from an impulse f.
 #include "comparison.h"
 
 #include <gyromode/gyromode.h>
@@ -24,7 +25,8 @@ constexpr double p = 1;                       // N m s
 double exact_amplitude(const Spacecraft& craft, const Mode& mode) {
   const double h = 1e-5 * mode.omega;
   const auto form = [&](double omega) { return mode.shape.dot(impedance_at(craft, omega) * mode.shape).real(); };
-  const double slope = (8 * (form(mode.omega + h) - form(mode.omega - h)) - (form(mode.omega + 2 * h) - form(mode.omega - 2 * h))) / (12 * h);
+  const double slope =
+      (8 * (form(mode.omega + h) - form(mode.omega - h)) - (form(mode.omega + 2 * h) - form(mode.omega - 2 * h))) / (12 * h);
   return 2 * std::norm(mode.shape(theta1)) * p / std::abs(slope);
 }
 
@@ -51,7 +53,8 @@ int main(int argc, char** argv) {
     check.equal("ω [rad/s]", share.omega, mode.omega, 1e-10);
     const bool tilt = mode.kind == ModeKind::rigid_body;
     const double of_body = tilt ? p / (craft.rigid().inertia()(2, 2) * craft.spin()) : exact_amplitude(craft, mode);
-    check.equal(tilt ? "θ1 [rad], tilt of the angular momentum" : "θ1 [rad]", share.amplitude * std::abs(share.shape(theta1)), of_body, 1e-8);
+    check.equal(tilt ? "θ1 [rad], tilt of the angular momentum" : "θ1 [rad]", share.amplitude * std::abs(share.shape(theta1)), of_body,
+                1e-8);
     const Complex tip = mode.field.front()(2, mode.field.front().cols() - 1);  // of a wire from root to tip, in the scale of the shape
     check.equal("tip along axis 3 [m]", share.amplitude * std::abs(share.shape(z1)), of_body * std::abs(tip / mode.shape(theta1)), 1e-8);
     ++compared;
@@ -68,7 +71,8 @@ int main(int argc, char** argv) {
     check.equal("energy [J], now and at the start", about_centre.energy(about_centre.at(t)), about_centre.initial_energy(), 1e-9);
   }
 
-  // The tension ½ρΩ²(b² − r²) carries the kick from the root at a to the tip at b in (√2/Ω) arccos(a/b). In elements its front is not sharp: 2 %.
+  // The tension ½ρΩ²(b² − r²) carries the kick from the root at a to the tip at b in (√2/Ω) arccos(a/b). In elements
+  // its front is not sharp: 2 %.
   const Cable& wire = craft.cables().front();
   const double largest = motion.at(Vector::LinSpaced(600, 0, 60)).q.row(z1).cwiseAbs().maxCoeff();
   double arrival = 0;

@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file
-/// All of gyromode that programs use: models from files or built in code, their modes, counts, verdicts, structure and motion, and documents of them. docs/api.md shows ten short programs.
+/// All of gyromode that programs use: models from files or built in code, their modes, counts, verdicts, structure and
+/// motion, and documents of them. docs/api.md shows ten short programs.
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/labels.h"

@@ -1,4 +1,5 @@
-// Axial booms: cantilever functions against high-precision values (tests/cases), the decoupling against the whirl form of an axisymmetric boom, rigid limits and counts.
+// Axial booms: cantilever functions against high-precision values (tests/cases), the decoupling against the whirl form
+// of an axisymmetric boom, rigid limits and counts.
 #include "gyromode/appendage/beam.h"
 #include "gyromode/appendage/bernoulli.h"
 #include "gyromode/appendage/hub_impedance.h"
@@ -95,12 +96,15 @@ TEST(Beam, StiffBoomIsARigidRod) {
   }
 }
 
-// Axisymmetric: seen from axes at rest the boom whirls at ω ± Ω; Σ and A are half the sum and difference of its stiffness there.
+// Axisymmetric: seen from axes at rest the boom whirls at ω ± Ω; Σ and A are half the sum and difference of its
+// stiffness there.
 TEST(Beam, AxisymmetricBoomWhirls) {
   const double stiffness = 20, density = 0.06, l = 7.5, tip = 0.05, spin = 0.52;
   const Beam beam{0, true, l, density, {stiffness, stiffness}, tip};
   for (const double omega : {0.0, 0.1, 0.52, 1.3, 20.0}) {
-    const auto at_rest = [&](double w) { return Eigen::Matrix2d(stiffness * cantilever_stiffness(density * w * w / stiffness, l, tip / density)); };
+    const auto at_rest = [&](double w) {
+      return Eigen::Matrix2d(stiffness * cantilever_stiffness(density * w * w / stiffness, l, tip / density));
+    };
     const Eigen::Matrix2d sum = 0.5 * (at_rest(omega + spin) + at_rest(omega - spin));
     const Eigen::Matrix2d difference = 0.5 * (at_rest(omega + spin) - at_rest(omega - spin));
     const HubMatrix h = hub_impedance(BeamAppendage(beam, spin), omega, spin);

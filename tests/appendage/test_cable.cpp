@@ -1,5 +1,6 @@
-// Wire booms: Legendre functions of any degree, the impedance of one cable and of the pair of Geos against high-precision values (tests/cases, from a derivation that shares no
-// code with the library), and the classical limits.
+// Wire booms: Legendre functions of any degree, the impedance of one cable and of the pair of Geos against
+// high-precision values (tests/cases, from a derivation that shares no code with the library), and the classical
+// limits.
 #include "gyromode/appendage/cable.h"
 #include "gyromode/appendage/hub_impedance.h"
 
@@ -96,7 +97,8 @@ TEST(WireField, RootsNearTheAxisKeepTheirDigits) {
 TEST(Cable, ImpedanceOfOne) {
   for (const Json& c : cases("cable_impedance.json")) {
     const Json& d = c["cable"];
-    const Cable cable{number(d["azimuth"]), number(d["radius"]), number(d["height"]), number(d["length"]), number(d["line_density"]), number(d["tip_mass"])};
+    const Cable cable{number(d["azimuth"]), number(d["radius"]),       number(d["height"]),
+                      number(d["length"]),  number(d["line_density"]), number(d["tip_mass"])};
     const HubMatrix h = hub_impedance(CableGroup({cable}, number(c["spin"])), number(c["omega"]), number(c["spin"]));
     EXPECT_NEAR(number(c["spin"]) * number(c["spin"]) * cable.first_moment(), number(c["T0"]), 4e-15 * number(c["T0"]));
     for (int i = 0; i < 6; ++i) {
@@ -109,7 +111,8 @@ TEST(Cable, ImpedanceOfOne) {
   }
 }
 
-// Two opposite cables of Geos give the functions of the paper: f1 + m_c in the (1,1) entry and f3 + m_c in the (3,3) entry of an impedance with roots at the reference height.
+// Two opposite cables of Geos give the functions of the paper: f1 + m_c in the (1,1) entry and f3 + m_c in the (3,3)
+// entry of an impedance with roots at the reference height.
 TEST(Cable, PairOfGeosHasTheFunctionsOfThePaper) {
   const Json all = cases("spacecraft.json");
   const Json& model = all["GEOS_A"]["model"];
@@ -136,7 +139,8 @@ TEST(Cable, PairOfGeosHasTheFunctionsOfThePaper) {
   }
 }
 
-// The poles of a wire on a hub of small radius are near those on none: out of plane Ω√(n(2n − 1)), in plane Ω√(n(2n − 1) − 1).
+// The poles of a wire on a hub of small radius are near those on none: out of plane Ω√(n(2n − 1)), in plane Ω√(n(2n −
+// 1) − 1).
 TEST(Cable, FixedRootFrequenciesAreCounted) {
   const double spin = 0.7;
   const CableGroup c({{0.3, 1e-9, 0, 20, 0.003, 0}}, spin);

@@ -1,5 +1,5 @@
-// A mass on springs against its Lagrangian: M, G, K of the nine coordinates (ζ, θ, u) by differences of the exact kinetic energy in 50 digits, with the rotation by
-// Rodrigues' formula; then condensed.
+// A mass on springs against its Lagrangian: M, G, K of the nine coordinates (ζ, θ, u) by differences of the exact
+// kinetic energy in 50 digits, with the rotation by Rodrigues' formula; then condensed.
 #include "gyromode/appendage/hub_impedance.h"
 #include "gyromode/appendage/spring_mass.h"
 

@@ -1,4 +1,5 @@
-// The fields of wires against Legendre functions of any degree in ball arithmetic (Arb): the angle of (value, slope) at the root, for degrees up to 300, any root, any tip mass.
+// The fields of wires against Legendre functions of any degree in ball arithmetic (Arb): the angle of (value, slope) at
+// the root, for degrees up to 300, any root, any tip mass.
 #include "gyromode/appendage/wire_field.h"
 
 #include <arb_hypgeom.h>
@@ -55,7 +56,8 @@ struct Solution {
   Ball value, slope;  // slope times 1 − z²
 };
 
-// P_ν(±z) on the cut and (1 − z²) times its derivative by z; P_ν: ν(P_{ν−1} − zP_ν). P_ν(−z) is the second solution, ν not whole.
+// P_ν(±z) on the cut and (1 − z²) times its derivative by z; P_ν: ν(P_{ν−1} − zP_ν). P_ν(−z) is the second solution, ν
+// not whole.
 Solution solution(const Ball& nu, const Ball& z, bool mirrored) {
   const Ball order(0), at = mirrored ? Ball(0) - z : z, less = nu - Ball(1);
   Solution s;

@@ -84,8 +84,10 @@ Matrices generic(Draw& d, Index n, std::string& what) {
     for (Index i = 0; i < n; ++i) {
       for (Index k = 0; k < n; ++k) {
         const bool across = (i < p) != (k < p);
-        if (across) m.mass(i, k) = m.stiffness(i, k) = 0;
-        else m.gyroscopic(i, k) = 0;
+        if (across)
+          m.mass(i, k) = m.stiffness(i, k) = 0;
+        else
+          m.gyroscopic(i, k) = 0;
       }
     }
     what += ", quadrature";
@@ -93,7 +95,8 @@ Matrices generic(Draw& d, Index n, std::string& what) {
   return m;
 }
 
-// Masses on springs in axes that turn with the integer spin Ω: K = K₀ − Ω², a double defective root at Ω for every free translation.
+// Masses on springs in axes that turn with the integer spin Ω: K = K₀ − Ω², a double defective root at Ω for every free
+// translation.
 Matrices turning_frame(Draw& d, Index n, std::string& what) {
   const Index h = std::max<Index>(1, n / 2);
   const double spin = static_cast<double>(d.integer(1, 4));
@@ -187,7 +190,8 @@ HostileSystem hostile_system(std::uint64_t seed) {
   if (d.chance(0.4)) {
     Vector unit(n);
     for (double& x : unit) x = d.power_of_two(-30, 30);
-    h.given = {unit.asDiagonal() * m.mass * unit.asDiagonal(), unit.asDiagonal() * m.gyroscopic * unit.asDiagonal(), unit.asDiagonal() * m.stiffness * unit.asDiagonal()};
+    h.given = {unit.asDiagonal() * m.mass * unit.asDiagonal(), unit.asDiagonal() * m.gyroscopic * unit.asDiagonal(),
+               unit.asDiagonal() * m.stiffness * unit.asDiagonal()};
     h.description += ", mixed units";
   }
   if (d.chance(0.4)) {

@@ -1,5 +1,6 @@
-// Hostile systems (campaign/hostile_system.h) against exact truth: no false `complete`, no false verdict, no wrong sign or count, every frequency and growth rate within its
-// bound, and hardly a refusal. GYROMODE_HOSTILE sets how many (10 000 in ./check, 100 000 with --full); GYROMODE_HOSTILE_FIRST the first seed.
+// Hostile systems (campaign/hostile_system.h) against exact truth: no false `complete`, no false verdict, no wrong sign
+// or count, every frequency and growth rate within its bound, and hardly a refusal. GYROMODE_HOSTILE sets how many (10
+// 000 in ./check, 100 000 with --full); GYROMODE_HOSTILE_FIRST the first seed.
 #include "campaign/truth.h"
 
 #include "gyromode/modes/modes.h"
@@ -40,7 +41,8 @@ constexpr double well_conditioned = 1e-12;  // a change of this part of each mat
 class HostileSystems : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(HostileSystems, NothingFalseIsClaimed) {
-  const std::uint64_t count = from_environment("GYROMODE_HOSTILE", 2000) / parts, first = from_environment("GYROMODE_HOSTILE_FIRST", 0) + GetParam() * count;
+  const std::uint64_t count = from_environment("GYROMODE_HOSTILE", 2000) / parts,
+                      first = from_environment("GYROMODE_HOSTILE_FIRST", 0) + GetParam() * count;
   const bool verbose = std::getenv("GYROMODE_HOSTILE_VERBOSE") != nullptr;
   std::uint64_t false_claims = 0, refused = 0, avoidable = 0, evaded = 0, twin_failed = 0;
   std::vector<double> tightness;
@@ -66,7 +68,8 @@ TEST_P(HostileSystems, NothingFalseIsClaimed) {
       }
       if (f.claims_falsely()) {
         ++false_claims;
-        if (verbose || false_claims <= 20) ADD_FAILURE() << h.description << fmt::format(", window [{:.17g}, {:.17g}): ", options.window.a, options.window.b) << f.text;
+        if (verbose || false_claims <= 20)
+          ADD_FAILURE() << h.description << fmt::format(", window [{:.17g}, {:.17g}): ", options.window.a, options.window.b) << f.text;
       } else if (f.refused || f.evaded) {
         if (verbose) fmt::print("{}: {}, {:.2g} from another verdict\n", f.refused ? "refused" : "marginal", h.description, truth.distance);
       }
@@ -76,17 +79,21 @@ TEST_P(HostileSystems, NothingFalseIsClaimed) {
     }
   }
   std::sort(tightness.begin(), tightness.end());
-  fmt::print("{} systems: {} false claims, {} refused, {} of them farther than {:g} from another verdict, {} marginal where the truth is decided, {} without truth, bound over error {:.3g} in the median, {:.3g} at 90 %\n", count, false_claims, refused,
-             avoidable, well_conditioned, evaded, twin_failed, tightness.empty() ? 0 : tightness[tightness.size() / 2], tightness.empty() ? 0 : tightness[tightness.size() * 9 / 10]);
+  fmt::print(
+      "{} systems: {} false claims, {} refused, {} of them farther than {:g} from another verdict, {} marginal where the truth is decided, "
+      "{} without truth, bound over error {:.3g} in the median, {:.3g} at 90 %\n",
+      count, false_claims, refused, avoidable, well_conditioned, evaded, twin_failed,
+      tightness.empty() ? 0 : tightness[tightness.size() / 2], tightness.empty() ? 0 : tightness[tightness.size() * 9 / 10]);
   EXPECT_EQ(false_claims, 0u);
-  EXPECT_LE(refused, 2 + 2 * count / 1000);       // two windows a system
+  EXPECT_LE(refused, 2 + 2 * count / 1000);  // two windows a system
   EXPECT_LE(avoidable, 2 + 2 * count / 10000);
   ASSERT_FALSE(tightness.empty());
   EXPECT_LE(tightness[tightness.size() / 2], 100);
 }
 INSTANTIATE_TEST_SUITE_P(Parts, HostileSystems, testing::Range(std::uint64_t{0}, parts));
 
-// Systems of rare kinds beyond the counts above: one whose masses are sums in null coordinates, where rounding is relative to their terms.
+// Systems of rare kinds beyond the counts above: one whose masses are sums in null coordinates, where rounding is
+// relative to their terms.
 TEST(HostileSystem, NothingFalseIsClaimedOfRareKinds) {
   for (const std::uint64_t seed : {98523u}) {
     const support::HostileSystem h = support::hostile_system(seed);

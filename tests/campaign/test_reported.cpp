@@ -30,7 +30,8 @@ ModesResult in_window(const System& s, double a, double b) {
   return find_modes(s, options);
 }
 
-// Two roots of the companion matrix are lost below 5e8 · 1e-16; one pair (−, +) and one quadruple look alike to every count.
+// Two roots of the companion matrix are lost below 5e8 · 1e-16; one pair (−, +) and one quadruple look alike to every
+// count.
 TEST(Reported, StrongSpinWithoutGrowth) {
   const Matrix g = 1e8 * Matrix{{0, 1, 2, 1}, {-1, 0, -3, -2}, {-2, 3, 0, -1}, {-1, 2, 1, 0}};
   const Matrix k{{0, 1, -2, -1}, {1, -2, -1, 0}, {-2, -1, 4, -2}, {-1, 0, -2, 0}};
@@ -55,7 +56,8 @@ TEST(Reported, SlowDivergenceUnderSpin) {
   EXPECT_EQ(r.stability, Stability::unstable);
 }
 
-// Two unit masses, springs of stiffness 9 between them in both directions, axes turning at 1 rad/s: modes 1 (double, defective), 3.24, 5.24.
+// Two unit masses, springs of stiffness 9 between them in both directions, axes turning at 1 rad/s: modes 1 (double,
+// defective), 3.24, 5.24.
 System two_masses() {
   Matrix k = -one(4), g = Matrix::Zero(4, 4);
   for (const Index i : {0, 2}) {
@@ -151,21 +153,27 @@ TEST(Reported, ADoubleDivergentPairIsNoFlutter) {
 
 // Avoidable refusals.
 TEST(Reported, WellConditionedSystemsAreCertified) {
-  const ModesResult a = find_modes(System(one(3), Matrix{{0, 3, -3}, {-3, 0, -2}, {3, 2, 0}}, Matrix{{-4, 2, -4}, {2, -2, -2}, {-4, -2, -2}}));
+  const ModesResult a =
+      find_modes(System(one(3), Matrix{{0, 3, -3}, {-3, 0, -2}, {3, 2, 0}}, Matrix{{-4, 2, -4}, {2, -2, -2}, {-4, -2, -2}}));
   EXPECT_EQ(a.coverage.status, CoverageStatus::complete) << a.coverage.reason;
   EXPECT_TRUE(std::any_of(a.modes.begin(), a.modes.end(), [](const Mode& m) { return std::abs(m.omega - std::sqrt(18.0)) < 1e-12; }));
 
-  const Matrix m{{1, 0, -1, 0}, {0, 2, 0, -3}, {-1, 0, 2, 0}, {0, -3, 0, 5}}, g{{0, 0, -2, 0}, {0, 0, 0, -2}, {2, 0, 0, 0}, {0, 2, 0, 0}}, k{{1, -2, -1, 2}, {-2, 2, 4, -3}, {-1, 4, 2, -6}, {2, -3, -6, 5}};
+  const Matrix m{{1, 0, -1, 0}, {0, 2, 0, -3}, {-1, 0, 2, 0}, {0, -3, 0, 5}}, g{{0, 0, -2, 0}, {0, 0, 0, -2}, {2, 0, 0, 0}, {0, 2, 0, 0}},
+      k{{1, -2, -1, 2}, {-2, 2, 4, -3}, {-1, 4, 2, -6}, {2, -3, -6, 5}};
   const ModesResult b = find_modes(System(m, g, k));
   EXPECT_TRUE(b.index_balance.closed) << b.coverage.reason;
   EXPECT_EQ(b.coverage.status, CoverageStatus::complete) << b.coverage.reason;
 }
 
-// Coordinates in units 2^±20: windows of first-order models stay where they are asked.
-// A free ring of m masses in its plane, in axes that turn with it at Ω = 1, its springs drawn by the centrifugal force: one zero mode (rotation), and a defective double root at Ω (translation in axes at rest).
+// Coordinates in units 2^±20: windows of first-order models stay where they are asked. A free ring of m masses in its
+// plane, in axes that turn with it at Ω = 1, its springs drawn by the centrifugal force: one zero mode (rotation), and
+// a defective double root at Ω (translation in axes at rest).
 System free_ring(Index m, double stiffness) {
   const double pi = std::acos(-1.0), mass = 1.0 / static_cast<double>(m), tension = mass / (2 * std::sin(pi / static_cast<double>(m)));
-  const auto place = [&](Index i) { return Eigen::Vector2d(std::cos(2 * pi * static_cast<double>(i) / static_cast<double>(m)), std::sin(2 * pi * static_cast<double>(i) / static_cast<double>(m))); };
+  const auto place = [&](Index i) {
+    return Eigen::Vector2d(std::cos(2 * pi * static_cast<double>(i) / static_cast<double>(m)),
+                           std::sin(2 * pi * static_cast<double>(i) / static_cast<double>(m)));
+  };
   Matrix k = Matrix::Zero(2 * m, 2 * m), g = Matrix::Zero(2 * m, 2 * m);
   const auto spring = [&](Index i, Index j, double along, double pull) {
     const Eigen::Vector2d d = place(j) - place(i), u = d.normalized();
@@ -192,13 +200,18 @@ TEST(Reported, FreeRingsInTurningAxes) {
       EXPECT_EQ(r.stability, Stability::marginal) << m;
       EXPECT_TRUE(r.unstable.empty()) << m;
       EXPECT_EQ(std::count_if(r.modes.begin(), r.modes.end(), [](const Mode& mode) { return mode.omega == 0; }), 1) << m;
-      EXPECT_EQ(std::count_if(r.modes.begin(), r.modes.end(), [](const Mode& mode) { return std::abs(mode.omega - 1) <= std::min(mode.error_bound, 1e-3) && mode.energy_sign == 0; }), 2) << m;
+      EXPECT_EQ(std::count_if(
+                    r.modes.begin(), r.modes.end(),
+                    [](const Mode& mode) { return std::abs(mode.omega - 1) <= std::min(mode.error_bound, 1e-3) && mode.energy_sign == 0; }),
+                2)
+          << m;
     }
   }
 }
 
 TEST(Reported, MixedUnitsOfFirstOrder) {
-  const Matrix inertia = Matrix{{2, 1, 0, 0}, {1, 3, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 2}}, g{{0, 1, 4, 0}, {-1, 0, 2, 3}, {-4, -2, 0, 1}, {0, -3, -1, 0}};
+  const Matrix inertia = Matrix{{2, 1, 0, 0}, {1, 3, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 2}},
+               g{{0, 1, 4, 0}, {-1, 0, 2, 3}, {-4, -2, 0, 1}, {0, -3, -1, 0}};
   const ModesResult plain = find_modes(FirstOrderSystem(inertia, g));
   Vector unit{{std::ldexp(1.0, 20), std::ldexp(1.0, -20), 1, std::ldexp(1.0, 13)}};
   const FirstOrderSystem mixed(unit.asDiagonal() * inertia * unit.asDiagonal(), unit.asDiagonal() * g * unit.asDiagonal());
@@ -216,7 +229,8 @@ TEST(Reported, MixedUnitsOfSecondOrder) {
   for (const int time : {-30, 0, 30}) {
     const Vector unit{{std::ldexp(1.0, 30), std::ldexp(1.0, -30), std::ldexp(1.0, -7)}};
     const double t = std::ldexp(1.0, time);
-    const ModesResult r = find_modes(System(unit.asDiagonal() * m * unit.asDiagonal(), t * (unit.asDiagonal() * g * unit.asDiagonal()), t * t * (unit.asDiagonal() * k * unit.asDiagonal())));
+    const ModesResult r = find_modes(System(unit.asDiagonal() * m * unit.asDiagonal(), t * (unit.asDiagonal() * g * unit.asDiagonal()),
+                                            t * t * (unit.asDiagonal() * k * unit.asDiagonal())));
     EXPECT_EQ(r.stability, plain.stability);
     ASSERT_EQ(r.modes.size(), plain.modes.size());
     for (std::size_t i = 0; i < r.modes.size(); ++i) EXPECT_EQ(r.modes[i].omega, t * plain.modes[i].omega);

@@ -33,22 +33,26 @@ void compare_modes(const ModesResult& r, const Truth& t, Faults& f, std::vector<
   for (const auto& m : t.modes) {
     if (r.coverage.window.contains(m.omega)) expected.push_back(m);
   }
-  if (expected.size() != r.modes.size()) return note(f, f.false_complete, fmt::format("complete with {} modes, true {}", r.modes.size(), expected.size()));
+  if (expected.size() != r.modes.size())
+    return note(f, f.false_complete, fmt::format("complete with {} modes, true {}", r.modes.size(), expected.size()));
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const Mode& m = r.modes[i];
     const double error = std::abs(m.omega - expected[i].omega);
-    if (!(error <= allowed(m.error_bound, m.omega))) note(f, f.mode_outside_bound, fmt::format("mode {:.17g}, true {:.17g}, bound {:.3g}", m.omega, expected[i].omega, m.error_bound));
+    if (!(error <= allowed(m.error_bound, m.omega)))
+      note(f, f.mode_outside_bound, fmt::format("mode {:.17g}, true {:.17g}, bound {:.3g}", m.omega, expected[i].omega, m.error_bound));
     if (tightness && error > epsilon * m.omega) tightness->push_back(m.error_bound / error);
     // Signs of roots that stand alone; of a cluster their sum.
     std::size_t last = i;
-    while (last + 1 < expected.size() && expected[last + 1].omega - expected[last].omega <= 1e-9 * expected[last].omega + 4 * m.error_bound) ++last;
+    while (last + 1 < expected.size() && expected[last + 1].omega - expected[last].omega <= 1e-9 * expected[last].omega + 4 * m.error_bound)
+      ++last;
     if (i > 0 && expected[i].omega - expected[i - 1].omega <= 1e-9 * expected[i].omega + 4 * r.modes[i - 1].error_bound) continue;
     int ours = 0, truth = 0;
     for (std::size_t k = i; k <= last; ++k) {
       ours += r.modes[k].energy_sign;
       truth += expected[k].sign;
     }
-    if (ours != truth) note(f, f.wrong_sign, fmt::format("signs of {} modes at {:.17g} add up to {}, true {}", last - i + 1, m.omega, ours, truth));
+    if (ours != truth)
+      note(f, f.wrong_sign, fmt::format("signs of {} modes at {:.17g} add up to {}, true {}", last - i + 1, m.omega, ours, truth));
   }
 }
 
@@ -58,18 +62,25 @@ void compare_growth(const ModesResult& r, const Truth& t, Faults& f) {
     const double bound = allowed(u.error_bound, std::hypot(u.growth_rate, u.omega));
     for (const auto& [sigma, omega] : t.flutter) nearest = std::min(nearest, std::hypot(u.growth_rate - sigma, u.omega - omega));
     for (const double sigma : t.divergence) nearest = std::min(nearest, std::hypot(u.growth_rate - sigma, u.omega));
-    if (!(nearest <= bound)) note(f, f.growth_outside_bound, fmt::format("growth {:.17g} + {:.17g}j, nearest true root {:.3g} away, bound {:.3g}", u.growth_rate, u.omega, nearest, u.error_bound));
+    if (!(nearest <= bound))
+      note(f, f.growth_outside_bound,
+           fmt::format("growth {:.17g} + {:.17g}j, nearest true root {:.3g} away, bound {:.3g}", u.growth_rate, u.omega, nearest,
+                       u.error_bound));
   }
 }
 
 // An end may be moved where a true mode is near: never past what is 1e-4 of it.
 void compare_window(const ModesResult& r, const Truth& t, Faults& f) {
   const auto near = [&](double end, double moved) {
-    return std::any_of(t.modes.begin(), t.modes.end(), [&](const Truth::Root& m) { return m.omega >= std::min(end, moved) * (1 - 1e-3) && m.omega <= std::max(end, moved) * (1 + 1e-3); });
+    return std::any_of(t.modes.begin(), t.modes.end(), [&](const Truth::Root& m) {
+      return m.omega >= std::min(end, moved) * (1 - 1e-3) && m.omega <= std::max(end, moved) * (1 + 1e-3);
+    });
   };
-  for (const auto& [asked, used] : {std::pair(r.coverage.requested.a, r.coverage.window.a), std::pair(r.coverage.requested.b, r.coverage.window.b)}) {
+  for (const auto& [asked, used] :
+       {std::pair(r.coverage.requested.a, r.coverage.window.a), std::pair(r.coverage.requested.b, r.coverage.window.b)}) {
     if (asked == used) continue;
-    if (!near(asked, used) || std::abs(used - asked) > 1e-2 * asked) note(f, f.window_moved, fmt::format("end {:.17g} moved to {:.17g}", asked, used));
+    if (!near(asked, used) || std::abs(used - asked) > 1e-2 * asked)
+      note(f, f.window_moved, fmt::format("end {:.17g} moved to {:.17g}", asked, used));
   }
 }
 
@@ -109,8 +120,9 @@ Truth truth_of(const HostileSystem& h) {
 
 namespace {
 
-// An undecided pair, two modes of sign 0, may be two modes, a defective root, or flutter that a backward error can undo: the program says so and does not pick a side. True flutter whose growth is within the bound of such a
-// pair, and below 1e-6 of its frequency, counts as that pair.
+// An undecided pair, two modes of sign 0, may be two modes, a defective root, or flutter that a backward error can
+// undo: the program says so and does not pick a side. True flutter whose growth is within the bound of such a pair, and
+// below 1e-6 of its frequency, counts as that pair.
 Truth with_undecided_pairs(const ModesResult& r, Truth t) {
   const auto is_pair = [&](const std::pair<double, double>& root) {
     const auto [sigma, omega] = root;
@@ -158,13 +170,15 @@ Faults compare(const System& system, const ModesResult& r, const Truth& truth, s
   Faults f;
   const bool decided = r.stability != Stability::unknown && r.stability != Stability::marginal;
   if (decided && r.stability != t.stability) {
-    note(f, f.false_verdict, fmt::format("verdict {}, true {} (distance {:.2g})", to_string(r.stability), to_string(t.stability), t.distance));
+    note(f, f.false_verdict,
+         fmt::format("verdict {}, true {} (distance {:.2g})", to_string(r.stability), to_string(t.stability), t.distance));
   }
   if (r.stability == Stability::marginal && t.stability != Stability::marginal && t.distance > 1e-7) f.evaded = true;
   Index growing = 0;  // a quadruple that is two real pairs within its bound counts as much
   for (const UnstableMode& u : r.unstable) growing += u.flutter() ? 2 : 1;
   const Index truly = static_cast<Index>(t.divergence.size() + 2 * t.flutter.size());
-  if (r.stability == Stability::unstable && r.index_balance.closed && growing != truly) note(f, f.false_verdict, fmt::format("{} growing roots, true {}", growing, truly));
+  if (r.stability == Stability::unstable && r.index_balance.closed && growing != truly)
+    note(f, f.false_verdict, fmt::format("{} growing roots, true {}", growing, truly));
   if (r.coverage.status == CoverageStatus::complete) compare_modes(r, t, f, tightness);
   compare_growth(r, t, f);
   if (!r.coverage.requested.open()) compare_window(r, t, f);

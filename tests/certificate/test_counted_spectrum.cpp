@@ -1,4 +1,5 @@
-// Windows, their ends, the lowest so many, coverage and counts are written once, on CountedSpectrum: here an engine that answers from closed form, a taut string between fixed ends, ω_k = kπ, and one that loses a root.
+// Windows, their ends, the lowest so many, coverage and counts are written once, on CountedSpectrum: here an engine
+// that answers from closed form, a taut string between fixed ends, ω_k = kπ, and one that loses a root.
 #include "gyromode/base/error.h"
 #include "gyromode/certificate/coverage.h"
 #include "gyromode/modes/answer.h"

@@ -1,10 +1,10 @@
-// Counts by Sylvester's law against eigenvalues: of matrices made with known inertia, and of H(ω) of random systems in both classes.
+// Counts by Sylvester's law against eigenvalues: of matrices made with known inertia, and of H(ω) of random systems in
+// both classes.
 
 #include "gyromode/base/rounding.h"
 #include "gyromode/dense/impedance.h"
 #include "gyromode/dense/inertia.h"
 #include "gyromode/lapack/small.h"
-
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,8 @@ Vector eigenvalues(const ComplexMatrix& hermitian) { return small::hermitian_eig
 
 // ---- inertia
 
-// Orders from which a definite matrix is counted by Cholesky: definite, and all but definite with the same signs on the diagonal.
+// Orders from which a definite matrix is counted by Cholesky: definite, and all but definite with the same signs on the
+// diagonal.
 TEST(Inertia, DefiniteMatricesAndThoseThatAreNearlySo) {
   Random random(43);
   for (const Index n : {63, 64, 65, 120}) {
@@ -47,8 +48,10 @@ TEST(Inertia, DefiniteMatricesAndThoseThatAreNearlySo) {
       lambda.head(negative) *= -1;
       for (const double last : {1.0, 1e-3, 1e-9}) {
         Vector values = lambda;
-        values(negative == 1 || negative == n ? 0 : n - 1) *= last;  // the only one of its sign, if there is one: the diagonal does not show it
-        for (const Inertia& found : {inertia(Matrix(q * values.asDiagonal() * q.transpose())), inertia(ComplexMatrix(u * values.asDiagonal() * u.adjoint()))}) {
+        // the only one of its sign, if there is one: the diagonal does not show it
+        values(negative == 1 || negative == n ? 0 : n - 1) *= last;
+        for (const Inertia& found :
+             {inertia(Matrix(q * values.asDiagonal() * q.transpose())), inertia(ComplexMatrix(u * values.asDiagonal() * u.adjoint()))}) {
           EXPECT_EQ(found.negative, negative) << n << " " << last;
           EXPECT_EQ(found.positive, n - negative);
           EXPECT_FALSE(found.doubtful());
@@ -92,7 +95,8 @@ TEST(Inertia, WellConditionedMatricesInAnyUnitsAreCountedWithoutDoubt) {
   }
 }
 
-// [εA C; Cᵀ εB]: n₋ = n₊ = n for any nonsingular C, however small the diagonal. This is where a factorisation without 2 × 2 pivots miscounts.
+// [εA C; Cᵀ εB]: n₋ = n₊ = n for any nonsingular C, however small the diagonal. This is where a factorisation without 2
+// × 2 pivots miscounts.
 TEST(Inertia, TinyDiagonals) {
   Random random(42);
   for (int trial = 0; trial < 200; ++trial) {
@@ -117,7 +121,9 @@ TEST(Inertia, ExactlySingularMatricesAreDoubtful) {
   std::uniform_int_distribution<int> digit(-3, 3);
   for (int trial = 0; trial < 200; ++trial) {
     const Index n = 1 + trial % 5, odd = 1 + 2 * (trial % 3);
-    const auto integers = [&](Index rows, Index cols) { return Matrix(Matrix::NullaryExpr(rows, cols, [&] { return 1.0 * digit(random); })); };
+    const auto integers = [&](Index rows, Index cols) {
+      return Matrix(Matrix::NullaryExpr(rows, cols, [&] { return 1.0 * digit(random); }));
+    };
     const Matrix f = integers(n - 1, n), d = integers(n - 1, 1).asDiagonal(), skew = integers(odd, odd);
     const Vector t = random_units(n, random).unaryExpr([](double x) { return std::exp2(std::round(std::log2(x))); });  // no rounding
     const Matrix k = f.transpose() * d * f;
@@ -139,7 +145,8 @@ TEST(Inertia, SmallestShapes) {
   EXPECT_FALSE((Inertia{1, 1, 17 * epsilon}).doubtful());
 }
 
-// A = L Lᵀ with L unit lower, −1 below: every pivot of A is 1, yet taking 2 ε from one entry makes an eigenvalue negative.
+// A = L Lᵀ with L unit lower, −1 below: every pivot of A is 1, yet taking 2 ε from one entry makes an eigenvalue
+// negative.
 TEST(Inertia, SingularToRoundingIsDoubtfulThoughNoPivotIsSmall) {
   const Matrix l = Matrix::Identity(40, 40) - Matrix(Matrix::Ones(40, 40).triangularView<Eigen::StrictlyLower>());
   Matrix a = l * l.transpose();
@@ -158,8 +165,9 @@ struct Piece {
   Matrix of(const Matrix& a) const { return a(s.order, s.order); }
 };
 
-// A component of p + r coordinates (split −1: one group of p) that sits scattered among others in a larger system, K indefinite, order as a solver would
-// give it: in phase first. What couples to the rest of the system is not the component's and must not be seen.
+// A component of p + r coordinates (split −1: one group of p) that sits scattered among others in a larger system, K
+// indefinite, order as a solver would give it: in phase first. What couples to the rest of the system is not the
+// component's and must not be seen.
 Piece random_piece(Index p, Index r, bool partition, Random& random) {
   const Index n = p + r, all = n + 3;
   std::vector<Index> places(static_cast<std::size_t>(all));
@@ -218,7 +226,8 @@ TEST(Impedance, CountsAreThoseOfTheEigenvaluesOfH) {
   EXPECT_GT(trials, 2900);
 }
 
-// H* = T⁻¹HT, T = diag(1, −j): real, with the spectrum of H, and so for the slopes 2ωM − jG and I. Without the partition the count is the same.
+// H* = T⁻¹HT, T = diag(1, −j): real, with the spectrum of H, and so for the slopes 2ωM − jG and I. Without the
+// partition the count is the same.
 TEST(Impedance, RealFormHasTheSpectrumOfH) {
   Random random(45);
   for (int trial = 0; trial < 100; ++trial) {
@@ -232,7 +241,8 @@ TEST(Impedance, RealFormHasTheSpectrumOfH) {
     t.tail(r).setConstant(Complex(0, -1));
     const ComplexMatrix slope_of_g = Complex(0, -1) * a.of(a.g);
     for (const double omega : {0.2, 2.0}) {
-      const auto expect_real_form = [&](const dense::Impedance& h, const dense::Impedance& plain, const ComplexMatrix& truth, const ComplexMatrix& slope) {
+      const auto expect_real_form = [&](const dense::Impedance& h, const dense::Impedance& plain, const ComplexMatrix& truth,
+                                        const ComplexMatrix& slope) {
         const double unit = epsilon * h.scale(omega);
         EXPECT_LE((plain.complex_at(omega) - truth).norm(), 4 * unit);
         EXPECT_LE((plain.complex_slope_at(omega) - slope).norm(), 4 * unit / std::min(omega, 1.0));
@@ -243,7 +253,8 @@ TEST(Impedance, RealFormHasTheSpectrumOfH) {
       };
       expect_real_form(dense::Impedance(system, a.s), dense::Impedance(system, whole), system.impedance(omega)(a.s.order, a.s.order),
                        2 * omega * a.of(a.m) + slope_of_g);
-      expect_real_form(dense::Impedance(first, a.s), dense::Impedance(first, whole), first.impedance(omega)(a.s.order, a.s.order), a.of(a.m).cast<Complex>());
+      expect_real_form(dense::Impedance(first, a.s), dense::Impedance(first, whole), first.impedance(omega)(a.s.order, a.s.order),
+                       a.of(a.m).cast<Complex>());
     }
   }
 }

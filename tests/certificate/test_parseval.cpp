@@ -1,4 +1,5 @@
-// Parseval's identity passes the roots of regular systems, and no list in which a root stands twice and another is missing.
+// Parseval's identity passes the roots of regular systems, and no list in which a root stands twice and another is
+// missing.
 #include "gyromode/certificate/measure.h"
 #include "gyromode/certificate/parseval.h"
 #include "gyromode/dense/solve.h"
@@ -109,7 +110,9 @@ TEST(Parseval, IndefiniteSystems) {
         }
         for (Index listed = 0; listed + 1 < x.s.unstable.count(); ++listed) {
           Spectrum s = x.s;
-          if ((s.unstable.lambda[static_cast<std::size_t>(listed)].imag() == 0) != (s.unstable.lambda[static_cast<std::size_t>(listed) + 1].imag() == 0)) continue;
+          if ((s.unstable.lambda[static_cast<std::size_t>(listed)].imag() == 0) !=
+              (s.unstable.lambda[static_cast<std::size_t>(listed) + 1].imag() == 0))
+            continue;
           s.unstable.lambda[static_cast<std::size_t>(listed)] = s.unstable.lambda[static_cast<std::size_t>(listed) + 1];
           s.unstable.right.col(listed) = s.unstable.right.col(listed + 1);
           s.unstable.left.col(listed) = s.unstable.left.col(listed + 1);

@@ -18,7 +18,8 @@ namespace {
 
 dense::ConstantForm form_of(const System& s) { return dense::constant_form(s, analyse(s, HiddenSearch::always)); }
 
-// Eigenvalues of W are the ω² of the modes (and −σ² of divergence), and W u = ω²u for u = (displacement + jω velocity) X.
+// Eigenvalues of W are the ω² of the modes (and −σ² of divergence), and W u = ω²u for u = (displacement + jω velocity)
+// X.
 void expect_form(const System& s, const char* what) {
   const dense::ConstantForm f = form_of(s);
   ASSERT_EQ(f.w.rows(), s.size());
@@ -53,8 +54,12 @@ TEST(ConstantForm, General) {
     EXPECT_LE((f.orthogonal->transpose() * *f.orthogonal - Matrix::Identity(2 * n, 2 * n)).norm(), 30 * static_cast<double>(n) * epsilon);
     for (Index i = 0; i < n; ++i) {
       for (Index k = 0; k < n; ++k) {
-        if (std::abs(i - k) > 1) { EXPECT_EQ(f.w(i, k), 0); }
-        if (k > i || i - k > 1) { EXPECT_EQ((*f.bidiagonal)(i, k), 0); }
+        if (std::abs(i - k) > 1) {
+          EXPECT_EQ(f.w(i, k), 0);
+        }
+        if (k > i || i - k > 1) {
+          EXPECT_EQ((*f.bidiagonal)(i, k), 0);
+        }
       }
     }
   }

@@ -1,5 +1,5 @@
-// Flutter shapes belong to the root that they stand beside: (K + λG + λ²M) X = 0 for λ = σ + jω, by every solver that finds flutter, and through the removal of
-// zero roots.
+// Flutter shapes belong to the root that they stand beside: (K + λG + λ²M) X = 0 for λ = σ + jω, by every solver that
+// finds flutter, and through the removal of zero roots.
 #include "gyromode/dense/solve.h"
 #include "gyromode/lapack/small.h"
 
@@ -19,7 +19,8 @@ Matrix gaussian(Index rows, Index cols, std::mt19937_64& random) {
   return a;
 }
 
-// K of both signs in both groups, so that the partition goes to P; `zeros` coordinates of the first group without stiffness.
+// K of both signs in both groups, so that the partition goes to P; `zeros` coordinates of the first group without
+// stiffness.
 System unstable_system(Index p, Index r, Index zeros, std::mt19937_64& random) {
   const Index n = p + r;
   Matrix m = Matrix::Identity(n, n);
@@ -88,7 +89,8 @@ TEST(UnstableShapes, CopiesHaveLeftVectorsOfTheirOwn) {
           ++seen;
           ComplexMatrix left(n, 2);
           left << roots.left.col(i).normalized(), roots.left.col(k).normalized();
-          EXPECT_GT(small::singular_values(left)(1), 1e-3) << "trial " << trial << ", roots " << roots.lambda[static_cast<std::size_t>(i)] << " and " << roots.lambda[static_cast<std::size_t>(k)];
+          EXPECT_GT(small::singular_values(left)(1), 1e-3) << "trial " << trial << ", roots " << roots.lambda[static_cast<std::size_t>(i)]
+                                                           << " and " << roots.lambda[static_cast<std::size_t>(k)];
         }
       }
     }
@@ -97,7 +99,8 @@ TEST(UnstableShapes, CopiesHaveLeftVectorsOfTheirOwn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FlutterShapes,
-                         testing::Combine(testing::Values(Method::automatic, Method::general, Method::companion), testing::Values(Index{0}, Index{1})));
+                         testing::Combine(testing::Values(Method::automatic, Method::general, Method::companion),
+                                          testing::Values(Index{0}, Index{1})));
 
 }  // namespace
 }  // namespace gyromode::dense

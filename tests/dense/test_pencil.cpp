@@ -66,7 +66,8 @@ TEST(SelfAdjointPencil, IndefiniteComesInConjugatePairs) {
         balance += r.form > 0 ? 1 : -1;
       } else {
         ++complex;
-        EXPECT_TRUE(std::any_of(roots.begin(), roots.end(), [&](const PencilRoot& o) { return o.value == std::conj(r.value); })) << "draw " << draw;
+        EXPECT_TRUE(std::any_of(roots.begin(), roots.end(), [&](const PencilRoot& o) { return o.value == std::conj(r.value); }))
+            << "draw " << draw;
         EXPECT_GT(r.form, 0);
       }
       EXPECT_LE(pencil_residual(a, b, r), 100) << "draw " << draw;
@@ -86,7 +87,8 @@ TEST(SelfAdjointPencil, SaysNothingOfASingularForm) {
   EXPECT_TRUE(self_adjoint_pencil(hermitian(source, 3), b).empty());
 }
 
-// The contract is "empty where B is singular to rounding": an indefinite B singular but for rounding still gets roots, of size 1/ε, near which nothing is known.
+// The contract is "empty where B is singular to rounding": an indefinite B singular but for rounding still gets roots,
+// of size 1/ε, near which nothing is known.
 TEST(SelfAdjointPencil, SaysNothingOfAFormSingularToRounding) {
   Source source{std::mt19937_64(22)};
   const Matrix q = source.orthogonal(3);

@@ -57,7 +57,8 @@ TEST(Refine, BringsAPerturbedRootBackToRounding) {
         EXPECT_TRUE(refine(h, s, {i}, 0.3 * gap)) << "draw " << draw;
         const Assessment a = measure(h, s);
         EXPECT_LE(a.residual(i), 10 * static_cast<double>(n) * epsilon) << "draw " << draw << ", root " << i;
-        EXPECT_LE(std::abs(s.omega(i) - exact.omega(i)), 10 * static_cast<double>(n) * epsilon * a.sensitivity(i)) << "draw " << draw << ", root " << i;
+        EXPECT_LE(std::abs(s.omega(i) - exact.omega(i)), 10 * static_cast<double>(n) * epsilon * a.sensitivity(i))
+            << "draw " << draw << ", root " << i;
         s = exact;
       }
     }

@@ -17,8 +17,8 @@
 namespace gyromode::dense {
 namespace {
 
-using support::Source;
 using support::lower_root;
+using support::Source;
 
 ComplexVector all_roots(const Vector& omega, const UnstableRoots& unstable) {
   std::vector<Complex> roots;
@@ -30,7 +30,8 @@ ComplexVector all_roots(const Vector& omega, const UnstableRoots& unstable) {
   return Eigen::Map<ComplexVector>(roots.data(), static_cast<Index>(roots.size()));
 }
 
-// Every root of z̈ + Γż + kz = 0 is there: the largest |λ − λ_twin| in units of n ε ‖A‖ times the condition of the eigenvalue, each twin taken once.
+// Every root of z̈ + Γż + kz = 0 is there: the largest |λ − λ_twin| in units of n ε ‖A‖ times the condition of the
+// eigenvalue, each twin taken once.
 double worst_root(const Matrix& gamma, const Matrix& k, ComplexVector found) {
   const Index n = k.rows();
   if (found.size() != 2 * n) return std::numeric_limits<double>::infinity();

@@ -1,4 +1,5 @@
-// The skew tridiagonalisation against its slow twins: Z = Q T Qᵀ rebuilt, Q orthogonal, and the product kernel against the product.
+// The skew tridiagonalisation against its slow twins: Z = Q T Qᵀ rebuilt, Q orthogonal, and the product kernel against
+// the product.
 #include "support/random_matrices.h"
 
 #include "gyromode/base/rounding.h"
@@ -80,7 +81,8 @@ TEST(SkewMultiply, IsTheProductWithTheTrailingBlock) {
       const auto block = z.bottomRightCorner(m, m);
       const Vector bound = block.cwiseAbs() * v.cwiseAbs();
       for (Index i = 0; i < m; ++i) {
-        EXPECT_LE(std::abs(y(i) - block.row(i).dot(v)), 2 * static_cast<double>(m) * epsilon * bound(i)) << "n = " << n << ", first = " << first;
+        EXPECT_LE(std::abs(y(i) - block.row(i).dot(v)), 2 * static_cast<double>(m) * epsilon * bound(i))
+            << "n = " << n << ", first = " << first;
       }
     }
   }

@@ -1,4 +1,5 @@
-// The n × n real form of any system by a unitary matrix: its eigenvalues are ω², its transformation is unitary and symplectic, and motions obey it.
+// The n × n real form of any system by a unitary matrix: its eigenvalues are ω², its transformation is unitary and
+// symplectic, and motions obey it.
 #include "support/random_matrices.h"
 #include "gyromode/dense/unitary_form.h"
 #include "gyromode/lapack/small.h"
@@ -57,7 +58,15 @@ TEST_P(UnitaryFormOf, HasTheSquaresOfAllFrequencies) {
     for (const Complex& z : truth) nearest = std::min(nearest, std::abs(z + w));
     EXPECT_LE(nearest, 1e-6 * size) << w;  // double roots of the twin are known to √ε
   }
-  EXPECT_NEAR(f.w.trace(), -0.5 * [&] { Complex sum = 0; for (const Complex& z : truth) sum += z; return sum.real(); }(), 1e3 * order * epsilon * size);
+  EXPECT_NEAR(
+      f.w.trace(),
+      -0.5 *
+          [&] {
+            Complex sum = 0;
+            for (const Complex& z : truth) sum += z;
+            return sum.real();
+          }(),
+      1e3 * order * epsilon * size);
 
   // v̈ = −Wᵀv for v = Dq + Vq̇: with q̈ = −M⁻¹(Gq̇ + Kq), for every q and q̇. v̇ = Dq̇ + Vq̈ = D₁q + V₁q̇, and once more.
   const Eigen::PartialPivLU<Matrix> mass(s.mass());
@@ -65,11 +74,14 @@ TEST_P(UnitaryFormOf, HasTheSquaresOfAllFrequencies) {
   const auto rate = [&](const Matrix& d, const Matrix& v) -> std::pair<Matrix, Matrix> { return {-v * k, d - v * g}; };
   const auto [d1, v1] = rate(f.displacement, f.velocity);
   const auto [d2, v2] = rate(d1, v1);
-  EXPECT_LE((d2 + f.w.transpose() * f.displacement).norm(), 200 * order * epsilon * size * (f.displacement.norm() + std::sqrt(size) * f.velocity.norm()));
+  EXPECT_LE((d2 + f.w.transpose() * f.displacement).norm(),
+            200 * order * epsilon * size * (f.displacement.norm() + std::sqrt(size) * f.velocity.norm()));
   EXPECT_LE((v2 + f.w.transpose() * f.velocity).norm(), 200 * order * epsilon * size * (f.displacement.norm() + f.velocity.norm()));
 }
 
-INSTANTIATE_TEST_SUITE_P(AnyStiffness, UnitaryFormOf, testing::Combine(testing::Values(Index{1}, Index{2}, Index{3}, Index{6}, Index{41}), testing::Values(Index{0}, Index{1}, Index{4}, Index{41}), testing::Values(0.1, 1.0, 10.0)));
+INSTANTIATE_TEST_SUITE_P(AnyStiffness, UnitaryFormOf,
+                         testing::Combine(testing::Values(Index{1}, Index{2}, Index{3}, Index{6}, Index{41}),
+                                          testing::Values(Index{0}, Index{1}, Index{4}, Index{41}), testing::Values(0.1, 1.0, 10.0)));
 
 }  // namespace
 }  // namespace gyromode::dense

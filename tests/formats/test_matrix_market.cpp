@@ -131,11 +131,20 @@ TEST(MatrixMarketReads, CrlfTabsBlanksCommentsAndNoFinalNewline) {
 
 TEST(MatrixMarketReads, NumbersAsFortranAndCWriteThem) {
   const std::vector<std::pair<std::string, double>> numbers = {
-      {"1.0D+03", 1000},   {"-2.5d-1", -0.25}, {"+3", 3},  {"+.5E+1", 5},       {"7.", 7},       {"0.1", 0.1},
-      {"1e-400", 0},       {"-1e-400", 0},     {"0e999", 0}, {"4.9e-324", std::numeric_limits<double>::denorm_min()},
-      {"1e-310", 1e-310},  {"1.7976931348623157e308", std::numeric_limits<double>::max()},
-      {"0." + std::string(400, '0') + "1e+20", 0},    // below 1e-324 with a positive exponent
-      {"1" + std::string(400, '0') + "e-400", 1},     // long, yet in range
+      {"1.0D+03", 1000},
+      {"-2.5d-1", -0.25},
+      {"+3", 3},
+      {"+.5E+1", 5},
+      {"7.", 7},
+      {"0.1", 0.1},
+      {"1e-400", 0},
+      {"-1e-400", 0},
+      {"0e999", 0},
+      {"4.9e-324", std::numeric_limits<double>::denorm_min()},
+      {"1e-310", 1e-310},
+      {"1.7976931348623157e308", std::numeric_limits<double>::max()},
+      {"0." + std::string(400, '0') + "1e+20", 0},  // below 1e-324 with a positive exponent
+      {"1" + std::string(400, '0') + "e-400", 1},   // long, yet in range
       {"1e-99999999999999999999", 0}};
   for (const auto& [word, value] : numbers) EXPECT_EQ(parse(with_value(word))(0, 0), value) << word;
 }
@@ -265,8 +274,8 @@ TEST(MatrixMarketRefusal, NumbersThatAreNotFinite) {
     EXPECT_EQ(parse_error(with_value(word)),
               "K.mtx:3: value '" + word + "' is not finite as a double: at most 1.8e308 in magnitude was expected");
   }
-  EXPECT_EQ(parse_error(with_value(long_number + "e-5")), "K.mtx:3: value '" + long_number.substr(0, 40) +
-                                                              "...' is not finite as a double: at most 1.8e308 in magnitude was expected");
+  EXPECT_EQ(parse_error(with_value(long_number + "e-5")),
+            "K.mtx:3: value '" + long_number.substr(0, 40) + "...' is not finite as a double: at most 1.8e308 in magnitude was expected");
 }
 
 TEST(MatrixMarketRefusal, LongAndUnprintableWordsAreCutAndEscaped) {
@@ -377,11 +386,9 @@ TEST(MatrixMarketWrites, OnlyWhatTheFileCanHold) {
   a << 1, 3, -2.5, 1;
   EXPECT_EQ(format_error(a, Symmetry::symmetric),
             "a symmetric file holds the lower triangle only: entries (1,0) = -2.5 and (0,1) = 3 do not match");
-  EXPECT_EQ(format_error(a, Symmetry::skew_symmetric),
-            "a skew-symmetric file holds the lower triangle only: entry (0,0) = 1 is not zero");
+  EXPECT_EQ(format_error(a, Symmetry::skew_symmetric), "a skew-symmetric file holds the lower triangle only: entry (0,0) = 1 is not zero");
   EXPECT_EQ(format_error(Matrix::Zero(2, 3), Symmetry::symmetric), "a symmetric matrix must be square: this one is 2 x 3");
-  EXPECT_EQ(format_error(Matrix::Zero(0, 3), Symmetry::general),
-            "a Matrix Market file holds one row and column at least: this is 0 x 3");
+  EXPECT_EQ(format_error(Matrix::Zero(0, 3), Symmetry::general), "a Matrix Market file holds one row and column at least: this is 0 x 3");
   a(1, 0) = INFINITY;
   EXPECT_EQ(format_error(a, Symmetry::general), "a Matrix Market file holds finite values: entry (1,0) = inf");
   EXPECT_EQ(format_error(Matrix::Identity(1, 1), Symmetry::general, std::string_view("a\0b", 3)),

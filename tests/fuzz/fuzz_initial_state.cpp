@@ -1,4 +1,5 @@
-// libFuzzer: whatever the bytes, parse_initial_state(), parse_times() and csv_rows() return finite values or throw Unreadable; a row that was read is written and read back as the same one.
+// libFuzzer: whatever the bytes, parse_initial_state(), parse_times() and csv_rows() return finite values or throw
+// Unreadable; a row that was read is written and read back as the same one.
 #include "gyromode/base/error.h"
 #include "gyromode/formats/csv.h"
 #include "gyromode/read/initial_state.h"
@@ -45,7 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       const std::string once = joined(row);
       const auto again = gyromode::io::csv_rows(once, "again.csv");
       // An empty first field, or one that looks like a comment, makes another line of it.
-      if (once.empty() || once.front() == '#' || once.front() == ',' ) continue;
+      if (once.empty() || once.front() == '#' || once.front() == ',') continue;
       require(again.size() == 1 && again.front().fields == row.fields);
     }
   });

@@ -1,5 +1,5 @@
-// libFuzzer: whatever the bytes, parse_matrix_market() returns a matrix or throws Unreadable; a matrix it returns is written and read
-// back as the same one.
+// libFuzzer: whatever the bytes, parse_matrix_market() returns a matrix or throws Unreadable; a matrix it returns is
+// written and read back as the same one.
 #include "gyromode/base/error.h"
 #include "gyromode/formats/matrix_market.h"
 

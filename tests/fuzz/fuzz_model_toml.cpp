@@ -1,5 +1,5 @@
-// libFuzzer: whatever the bytes, parse_model() returns a model that keeps the laws or throws Unreadable or LawBroken, with one
-// line of message. No file is read: matrix files are sought in a folder that does not exist.
+// libFuzzer: whatever the bytes, parse_model() returns a model that keeps the laws or throws Unreadable or LawBroken,
+// with one line of message. No file is read: matrix files are sought in a folder that does not exist.
 #include "gyromode/base/error.h"
 #include "gyromode/read/read_model.h"
 #include "gyromode/models/matrices.h"
@@ -12,16 +12,17 @@
 
 namespace {
 
-using gyromode::LawBroken;
 using gyromode::FirstOrderSystem;
+using gyromode::LawBroken;
 using gyromode::Matrix;
+using gyromode::Model;
 using gyromode::System;
 using gyromode::Unreadable;
-using gyromode::Model;
 
 constexpr const char* name = "/gyromode-fuzz-folder-that-does-not-exist/fuzz.toml";
 
-// Whether a string of the text may be a name outside that folder. The '/' of a unit ("rad/s") starts no name; an escape may spell one.
+// Whether a string of the text may be a name outside that folder. The '/' of a unit ("rad/s") starts no name; an escape
+// may spell one.
 bool may_leave_the_folder(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char before = i > 0 ? text[i - 1] : '\0';
@@ -56,7 +57,8 @@ void require_laws(const gyromode::Spacecraft& s) {
 
 void require_laws(const Model& model) {
   if (const System* system = model.body->second_order()) return require_laws(*system);
-  if (const auto* first_order = dynamic_cast<const gyromode::FirstOrderModel*>(model.body.get())) return require_laws(first_order->system());
+  if (const auto* first_order = dynamic_cast<const gyromode::FirstOrderModel*>(model.body.get()))
+    return require_laws(first_order->system());
   require_laws(dynamic_cast<const gyromode::SpacecraftModel&>(*model.body).spacecraft());
 }
 

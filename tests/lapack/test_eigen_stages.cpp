@@ -1,4 +1,5 @@
-// The stages of the symmetric eigenvalue problem and of the left singular vectors, against LAPACK's drivers and closed forms.
+// The stages of the symmetric eigenvalue problem and of the left singular vectors, against LAPACK's drivers and closed
+// forms.
 #include "support/random_matrices.h"
 
 #include "gyromode/base/rounding.h"
@@ -126,7 +127,8 @@ TEST(Tridiagonal, SizesNearTheEndsOfTheRange) {
   }
 }
 
-// diag(T₁, T₂) + coupling at the cut, whose halves are solved by Eigen: the join by itself, whatever the number of threads.
+// diag(T₁, T₂) + coupling at the cut, whose halves are solved by Eigen: the join by itself, whatever the number of
+// threads.
 SymmetricEigen joined(const Vector& d, const Vector& e, Index cut) {
   const Index n = d.size();
   const double rho = e(cut - 1);
@@ -151,7 +153,8 @@ TEST(RankOneJoin, OfRandomHalves) {
   for (Index n = 2; n <= 60; ++n) {
     const Vector d = gaussian(source, n, 1) / 4;
     const Vector e = gaussian(source, n - 1, 1) / 4;
-    for (const Index cut : {Index{1}, n / 2}) expect_eigen(tridiagonal(d, e), joined(d, e, cut), std::to_string(n) + " cut at " + std::to_string(cut));
+    for (const Index cut : {Index{1}, n / 2})
+      expect_eigen(tridiagonal(d, e), joined(d, e, cut), std::to_string(n) + " cut at " + std::to_string(cut));
   }
 }
 

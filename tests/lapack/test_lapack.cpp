@@ -1,5 +1,6 @@
-// The wrappers of BLAS and LAPACK against slow twins in Eigen and against matrices made from known factors. Operands are views of blocks
-// in frames of NaN: whatever a wrapper reads beside its operand turns the result into NaN, whatever it writes there shows in the frame.
+// The wrappers of BLAS and LAPACK against slow twins in Eigen and against matrices made from known factors. Operands
+// are views of blocks in frames of NaN: whatever a wrapper reads beside its operand turns the result into NaN, whatever
+// it writes there shows in the frame.
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
@@ -67,12 +68,15 @@ Matrix random_lower(Index n, Random& random) {
 struct Framed {
   Matrix frame;
   Index rows, cols;
-  explicit Framed(const Matrix& a) : frame(Matrix::Constant(a.rows() + 5, a.cols() + 3, nan)), rows(a.rows()), cols(a.cols()) { view() = a; }
+  explicit Framed(const Matrix& a) : frame(Matrix::Constant(a.rows() + 5, a.cols() + 3, nan)), rows(a.rows()), cols(a.cols()) {
+    view() = a;
+  }
   Eigen::Block<Matrix> view() { return frame.block(2, 1, rows, cols); }
   bool intact() const { return frame.array().isNaN().count() == frame.size() - rows * cols; }
 };
 
-// |found − expected| ≤ 4(k + 2)ε·bound entrywise; k is the length of the sums, bound what the absolute values add up to.
+// |found − expected| ≤ 4(k + 2)ε·bound entrywise; k is the length of the sums, bound what the absolute values add up
+// to.
 void expect_entries(const Matrix& found, const Matrix& expected, const Matrix& bound, Index k, const std::string& what) {
   ASSERT_EQ(found.rows(), expected.rows()) << what;
   ASSERT_EQ(found.cols(), expected.cols()) << what;
@@ -106,7 +110,8 @@ TEST(Multiply, EveryProductOfEveryShape) {
         multiply_into(fc.view(), -2, at.view(), true, bt.view(), true, 0.5);
         expect_entries(fc.view(), 0.5 * c - 2 * ab, 2 * bound + c.cwiseAbs(), k, "0.5 C − 2 AᵀᵀBᵀᵀ " + shape);
         EXPECT_TRUE(fc.intact()) << shape;
-        expect_entries(gram(fa.view()), a.transpose().lazyProduct(a), a.cwiseAbs().transpose().lazyProduct(a.cwiseAbs()), m, "AᵀA " + shape);
+        expect_entries(gram(fa.view()), a.transpose().lazyProduct(a), a.cwiseAbs().transpose().lazyProduct(a.cwiseAbs()), m,
+                       "AᵀA " + shape);
       }
     }
   }
@@ -148,7 +153,8 @@ TEST(Triangular, SolvesAndMultiplies) {
       solve_lower_transposed_right(fl.view(), xr.view());
       multiply_lower_transposed(fl.view(), y.view());
       multiply_lower_right(fl.view(), yr.view());
-      const std::string at = std::to_string(n) + ", " + std::to_string(m);  // residuals of substitution are small entry by entry (Higham 2002, Thm 8.5)
+      // residuals of substitution are small entry by entry (Higham 2002, Thm 8.5)
+      const std::string at = std::to_string(n) + ", " + std::to_string(m);
       expect_entries(l.lazyProduct(x.view()), b, size.lazyProduct(x.view().cwiseAbs()), n, "L⁻¹ b " + at);
       expect_entries(l.transpose().lazyProduct(xt.view()), b, size.transpose().lazyProduct(xt.view().cwiseAbs()), n, "L⁻ᵀ b " + at);
       expect_entries(xr.view().lazyProduct(l.transpose()), c, xr.view().cwiseAbs().lazyProduct(size.transpose()), n, "c L⁻ᵀ " + at);
@@ -159,12 +165,14 @@ TEST(Triangular, SolvesAndMultiplies) {
     const Matrix l = random_lower(n, random), a = random_symmetric(n, random), k = congruence(l, l * a * l.transpose());
     EXPECT_TRUE(k == k.transpose()) << n;
     const Matrix gram = gram_of_lower(l).triangularView<Eigen::Lower>();
-    expect_small(Matrix(gram - Matrix(Matrix(l.transpose() * l).triangularView<Eigen::Lower>())), 10 * real(n + 1) * epsilon * l.squaredNorm(), "LᵀL");
+    expect_small(Matrix(gram - Matrix(Matrix(l.transpose() * l).triangularView<Eigen::Lower>())),
+                 10 * real(n + 1) * epsilon * l.squaredNorm(), "LᵀL");
     expect_small(Matrix(k - a), 100 * real(n + 1) * epsilon * (1 + l.norm() * l.inverse().norm() * a.norm()), "L⁻¹ L A Lᵀ L⁻ᵀ = A");
   }
 }
 
-// A = L D Lᵀ in integers, L unit lower, D = 1 or 4 but for one pivot ≤ 0: the factorisation is exact, the position known.
+// A = L D Lᵀ in integers, L unit lower, D = 1 or 4 but for one pivot ≤ 0: the factorisation is exact, the position
+// known.
 TEST(Triangular, CholeskyFindsTheFactorOrTheFirstBadPivot) {
   Random random(5);
   std::uniform_int_distribution<int> bit(0, 1);
@@ -202,7 +210,8 @@ TEST(Triangular, ConditionIsNotOverestimatedNorMuchUnder) {
     const Matrix l = random_lower(n, random), a = l * l.transpose(), s = random_symmetric(n, random);
     const auto norm = [](const Matrix& x) { return x.cwiseAbs().colwise().sum().maxCoeff(); };
     const double definite = 1 / (norm(a) * norm(a.inverse())), indefinite = 1 / (norm(s) * norm(s.inverse()));
-    const double found[] = {reciprocal_condition(lower_only(l), norm(a)) / definite, reciprocal_condition(factor_indefinite(s), norm(s)) / indefinite};
+    const double found[] = {reciprocal_condition(lower_only(l), norm(a)) / definite,
+                            reciprocal_condition(factor_indefinite(s), norm(s)) / indefinite};
     for (const double ratio : found) EXPECT_TRUE(ratio >= 1 - 1e-8 && ratio <= 3) << n << ": " << ratio;
   }
   EXPECT_EQ(reciprocal_condition(Matrix(0, 0), 0), 1);
@@ -219,7 +228,8 @@ TEST(Triangular, CompletionStartsWithTheSpan) {
       ASSERT_EQ(q.rows(), n);
       ASSERT_EQ(q.cols(), n);
       expect_orthonormal(q, "completion");
-      expect_small(Matrix(q.rightCols(n - r).transpose() * a), 20 * real(n + 1) * epsilon * a.norm(), "what is left of A outside the first columns");
+      expect_small(Matrix(q.rightCols(n - r).transpose() * a), 20 * real(n + 1) * epsilon * a.norm(),
+                   "what is left of A outside the first columns");
     }
   }
 }
@@ -241,7 +251,8 @@ TEST(Symmetric, EigenvaluesAndVectors) {
     expect_small(Vector(e.values - Eigen::SelfAdjointEigenSolver<Matrix>(a).eigenvalues()), unit * a.norm(), "twin");
     const double condition = b.norm() * b.inverse().norm();
     expect_small(Matrix(g.vectors.transpose() * b * g.vectors - Matrix::Identity(n, n)), unit * condition, "VᵀBV = 1");
-    expect_small(Matrix(a * g.vectors - b * g.vectors * g.values.asDiagonal()), unit * condition * a.norm() * g.vectors.norm(), "A V = B V Λ");
+    expect_small(Matrix(a * g.vectors - b * g.vectors * g.values.asDiagonal()), unit * condition * a.norm() * g.vectors.norm(),
+                 "A V = B V Λ");
   }
 }
 
@@ -252,13 +263,14 @@ TEST(General, ValuesAndVectorsOfNormalMatrices) {
     Matrix d = Matrix::Zero(n, n);
     ComplexVector truth(n);
     for (Index k = 0; k < n; ++k) truth(k) = d(k, k) = real(k - 2);  // a zero among them
-    for (Index k = 1; k + 1 < n; k += 3) {                          // pairs −k ± j(k + ½)
+    for (Index k = 1; k + 1 < n; k += 3) {                           // pairs −k ± j(k + ½)
       d.block(k, k, 2, 2) << -real(k), real(k) + 0.5, -real(k) - 0.5, -real(k);
       truth(k) = Complex(-real(k), real(k) + 0.5);
       truth(k + 1) = std::conj(truth(k));
     }
     const Matrix q = orthogonal_completion(random_matrix(n, n, random)), a = q * d * q.transpose();
-    const ComplexMatrix z = random_complex(n, n, random), u = n == 0 ? z : ComplexMatrix(Eigen::HouseholderQR<ComplexMatrix>(z).householderQ());
+    const ComplexMatrix z = random_complex(n, n, random),
+                        u = n == 0 ? z : ComplexMatrix(Eigen::HouseholderQR<ComplexMatrix>(z).householderQ());
     const ComplexVector turned = truth * std::polar(1.0, 0.3);  // no conjugate pairs left
     const ComplexMatrix c = u * turned.asDiagonal() * u.adjoint();
     const auto check = [&](const GeneralEigen& e, const ComplexMatrix& m, const ComplexVector& expected) {
@@ -323,13 +335,15 @@ TEST(Indefinite, SolvesRealAndHermitian) {
     for (const Index m : {0, 1, 5}) {
       const Matrix a = random_symmetric(n, random), b = random_matrix(n, m, random), x = solve(factor_indefinite(lower_only(a)), b);
       expect_small(Matrix(a * x - b), 20 * real(n + 1) * epsilon * a.norm() * x.norm(), "A x = b");
-      const ComplexMatrix z = random_complex(n, n, random), h = z + z.adjoint(), c = random_complex(n, m, random), y = solve(factor_indefinite(h), c);
+      const ComplexMatrix z = random_complex(n, n, random), h = z + z.adjoint(), c = random_complex(n, m, random),
+                          y = solve(factor_indefinite(h), c);
       expect_small(ComplexMatrix(h * y - c), 20 * real(n + 1) * epsilon * h.norm() * y.norm(), "H y = c");
     }
   }
 }
 
-// Pivots of both signs: truth from the eigenvalues, which the construction keeps away from zero or which are looked at first.
+// Pivots of both signs: truth from the eigenvalues, which the construction keeps away from zero or which are looked at
+// first.
 template <class AnyMatrix>
 void expect_inertia(const AnyMatrix& a, int& trials) {
   const Vector lambda = Eigen::SelfAdjointEigenSolver<AnyMatrix>(a, Eigen::EigenvaluesOnly).eigenvalues();
@@ -405,12 +419,16 @@ TEST(Status, DimensionsBeyond32Bits) {
 
 TEST(Status, FailuresSayWhatLapackSays) {
   EXPECT_NO_THROW(require_success(0, "dsyevd", "unused"));
-  EXPECT_EQ(refusal<NotConverged>([] { require_success(-5, "dsyevd", "unused"); }), "dsyevd: argument 5 was refused (not finite, or out of range)");
+  EXPECT_EQ(refusal<NotConverged>([] { require_success(-5, "dsyevd", "unused"); }),
+            "dsyevd: argument 5 was refused (not finite, or out of range)");
   EXPECT_EQ(refusal<NotConverged>([] { require_success(7, "dgeev", "no convergence"); }), "dgeev: no convergence (info = 7)");
   EXPECT_THROW(require_success(-1010, "dsyevd", ""), std::bad_alloc);
   EXPECT_THROW(require_success(-1011, "dsyevd", ""), std::bad_alloc);
-  EXPECT_EQ(refusal<NotConverged>([] { symmetric_eigen(Matrix::Constant(2, 2, nan)); }), "dstedc: argument 4 was refused (not finite, or out of range)");
-  EXPECT_EQ(refusal<NotConverged>([] { symmetric_definite_eigen(Matrix::Identity(2, 2), Matrix{{1, 2}, {2, 1}}); }),
+  EXPECT_EQ(refusal<NotConverged>([] { symmetric_eigen(Matrix::Constant(2, 2, nan)); }),
+            "dstedc: argument 4 was refused (not finite, or out of range)");
+  EXPECT_EQ(refusal<NotConverged>([] {
+              symmetric_definite_eigen(Matrix::Identity(2, 2), Matrix{{1, 2}, {2, 1}});
+            }),
             "dsygvd: the right-hand matrix is not positive definite (info = 4)");
 }
 

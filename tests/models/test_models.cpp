@@ -42,7 +42,8 @@ TEST_P(ShippedModel, HasItsKnownValues) {
   EXPECT_EQ(class_of(model, r), model.known.system_class);
   EXPECT_EQ(r.coverage.status, CoverageStatus::complete);
   ASSERT_EQ(r.modes.size(), model.known.frequencies.size());
-  for (std::size_t i = 0; i < r.modes.size(); ++i) EXPECT_NEAR(r.modes[i].omega, model.known.frequencies[i], 2e-13 * model.known.frequencies[i]);
+  for (std::size_t i = 0; i < r.modes.size(); ++i)
+    EXPECT_NEAR(r.modes[i].omega, model.known.frequencies[i], 2e-13 * model.known.frequencies[i]);
 }
 
 // What the file declares is no echo of the exact solver alone: finite elements of high degree have it, too.
@@ -54,7 +55,8 @@ TEST_P(ShippedModel, SpacecraftAgreesWithItsTwin) {
   options.window.b = model.known.frequencies.back() * (1 + 1e-6);
   const ModesResult twin = find_modes(exact->spacecraft(), Mesh{1, 24}, options);
   ASSERT_GE(twin.modes.size(), model.known.frequencies.size());
-  for (std::size_t i = 0; i < model.known.frequencies.size(); ++i) EXPECT_NEAR(twin.modes[i].omega, model.known.frequencies[i], 3e-7 * model.known.frequencies[i]) << i;
+  for (std::size_t i = 0; i < model.known.frequencies.size(); ++i)
+    EXPECT_NEAR(twin.modes[i].omega, model.known.frequencies[i], 3e-7 * model.known.frequencies[i]) << i;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedModel, testing::ValuesIn(shipped()), [](const auto& file) { return file.param.stem().string(); });

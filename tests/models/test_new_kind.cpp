@@ -1,4 +1,5 @@
-// A kind of model that the library does not know, a plane double pendulum in fixed axes, made here: it answers the verbs and is written as a document like any other.
+// A kind of model that the library does not know, a plane double pendulum in fixed axes, made here: it answers the
+// verbs and is written as a document like any other.
 #include "gyromode/base/error.h"
 #include "gyromode/write/document.h"
 #include "gyromode/models/matrices.h"
@@ -15,7 +16,8 @@ namespace {
 // Two equal masses on strings of length l, angles small: ω² = (2 ± √2) g/l.
 class DoublePendulum : public ModelKind {
  public:
-  explicit DoublePendulum(double gravity_over_length) : system_(Matrix{{2, 1}, {1, 1}}, Matrix::Zero(2, 2), gravity_over_length * Matrix{{2, 0}, {0, 1}}, {"upper", "lower"}) {}
+  explicit DoublePendulum(double gravity_over_length)
+      : system_(Matrix{{2, 1}, {1, 1}}, Matrix::Zero(2, 2), gravity_over_length * Matrix{{2, 0}, {0, 1}}, {"upper", "lower"}) {}
 
   Index size() const override { return 2; }
   const Labels& labels() const override { return system_.labels(); }

@@ -1,5 +1,6 @@
-// Families of systems with pairs of frequencies from 1e-2 down to 1e-14 apart, in every class: two systems of one kind, the second 1 + δ times as fast, in coordinates that mix
-// them. None may be lost, none invented, and what is determined, the span of a pair, must be right where its vectors cannot be.
+// Families of systems with pairs of frequencies from 1e-2 down to 1e-14 apart, in every class: two systems of one kind,
+// the second 1 + δ times as fast, in coordinates that mix them. None may be lost, none invented, and what is
+// determined, the span of a pair, must be right where its vectors cannot be.
 #include "gyromode/base/rounding.h"
 #include "gyromode/lapack/small.h"
 #include "gyromode/modes/modes.h"
@@ -74,7 +75,8 @@ Family family(Kind kind, double delta, std::uint64_t seed) {
   return {mixed, System(Matrix::Identity(n, n), g, k)};
 }
 
-// ‖H applied to the span of a pair‖ in the sense of its own 2 × 2 matrix: min over B of ‖K V + G V B + M V B²‖ with V orthonormal is what an invariant pair must make small.
+// ‖H applied to the span of a pair‖ in the sense of its own 2 × 2 matrix: min over B of ‖K V + G V B + M V B²‖ with V
+// orthonormal is what an invariant pair must make small.
 double invariant_pair_residual(const System& s, const ComplexMatrix& x, const Eigen::Vector2d& omega) {
   const ComplexMatrix v = small::orthonormal_columns(x);
   const ComplexMatrix r = v.adjoint() * x;
@@ -112,7 +114,8 @@ TEST_P(CloseFrequencies, NoneLostNoneInvented) {
       EXPECT_TRUE(r.unstable.empty()) << what;
       ASSERT_EQ(r.modes.size(), exact.size()) << what;
       for (std::size_t i = 0; i < exact.size(); ++i) {
-        EXPECT_LE(std::abs(r.modes[i].omega - exact[i]), std::max(r.modes[i].error_bound, 64 * epsilon * exact[i]) * 4) << what << ", mode " << i + 1;
+        EXPECT_LE(std::abs(r.modes[i].omega - exact[i]), std::max(r.modes[i].error_bound, 64 * epsilon * exact[i]) * 4)
+            << what << ", mode " << i + 1;
         EXPECT_LE(r.modes[i].residual, 30 * 8 * epsilon) << what;
       }
       if (!marginal) {
@@ -121,11 +124,14 @@ TEST_P(CloseFrequencies, NoneLostNoneInvented) {
           x << r.modes[i].shape.normalized(), r.modes[i + 1].shape.normalized();
           const double independent = small::singular_values(x)(1);
           EXPECT_GE(independent, 1e-3) << what << ": the two shapes of a pair point the same way";
-          EXPECT_LE(invariant_pair_residual(f.system, x, {r.modes[i].omega, r.modes[i + 1].omega}), 1e-11 * f.system.stiffness().norm()) << what;
+          EXPECT_LE(invariant_pair_residual(f.system, x, {r.modes[i].omega, r.modes[i + 1].omega}), 1e-11 * f.system.stiffness().norm())
+              << what;
         }
       }
       for (const Mode& m : r.modes) {
-        if (delta >= 1e-8) { EXPECT_EQ(m.cluster, 1) << what; }
+        if (delta >= 1e-8) {
+          EXPECT_EQ(m.cluster, 1) << what;
+        }
       }
     }
   }
@@ -152,7 +158,8 @@ TEST(CloseFrequenciesFirstOrder, NoneLostNoneInvented) {
   }
 }
 
-// Exact booms: four wires of which one pair is δ longer. Every mode of the axial pattern and of the plane comes in close company.
+// Exact booms: four wires of which one pair is δ longer. Every mode of the axial pattern and of the plane comes in
+// close company.
 TEST(CloseFrequenciesSpacecraft, WiresDetuned) {
   constexpr double pi = std::numbers::pi;
   std::size_t expected = 0;

@@ -1,4 +1,5 @@
-// A system seen from some of its coordinates: the condensed impedance has the same count, and modes that leave the kept coordinates at rest are named, however they coincide with others.
+// A system seen from some of its coordinates: the condensed impedance has the same count, and modes that leave the kept
+// coordinates at rest are named, however they coincide with others.
 #include "gyromode/dense/inertia.h"
 #include "gyromode/modes/keep.h"
 
@@ -10,7 +11,8 @@
 namespace gyromode {
 namespace {
 
-// A hub (kept, mass 3) with four equal springs-and-masses around it: one pattern moves the hub, three leave it at rest, at ω = √(k/m) = 2.
+// A hub (kept, mass 3) with four equal springs-and-masses around it: one pattern moves the hub, three leave it at rest,
+// at ω = √(k/m) = 2.
 System hub_with_four_equal_masses(double detuning = 0) {
   Matrix m = Matrix::Identity(5, 5), k = Matrix::Zero(5, 5);
   m(0, 0) = 3;

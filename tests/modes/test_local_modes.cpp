@@ -1,5 +1,6 @@
-// Local modes with known truth: equal appendages on a body, appendages that nothing couples to it, in any internal coordinates and units. Of c copies with the same attachment, c − 1
-// combinations of each of their modes leave the body at rest; with different attachments to a body of b coordinates, c − b; without any, all c.
+// Local modes with known truth: equal appendages on a body, appendages that nothing couples to it, in any internal
+// coordinates and units. Of c copies with the same attachment, c − 1 combinations of each of their modes leave the body
+// at rest; with different attachments to a body of b coordinates, c − b; without any, all c.
 #include "gyromode/modes/keep.h"
 
 #include "support/random_matrices.h"
@@ -27,7 +28,9 @@ std::vector<double> frequencies(const std::vector<Mode>& modes) {
   return omega;
 }
 
-Index how_many(const Matrix& m, const Matrix& g, const Matrix& k, std::vector<Index> kept = {0}) { return static_cast<Index>(locals(find_modes_keeping(System(m, g, k), kept, {})).size()); }
+Index how_many(const Matrix& m, const Matrix& g, const Matrix& k, std::vector<Index> kept = {0}) {
+  return static_cast<Index>(locals(find_modes_keeping(System(m, g, k), kept, {})).size());
+}
 
 Matrix no_gyroscopic(Index n) { return Matrix::Zero(n, n); }
 Matrix skew2(double g) { return Matrix{{0, -g}, {g, 0}}; }
@@ -180,7 +183,8 @@ Known random_known(std::uint64_t seed) {
   x.g = static_cast<double>(s.integer(0, 1)) * s.skew(x.body);
   x.k = s.symmetric(x.body, s.integer(0, 1)) * 8;
   for (Index types = s.integer(1, 3); types > 0; --types) {
-    const Attachment how = std::array{Attachment::same, Attachment::same, Attachment::different, Attachment::none}[static_cast<std::size_t>(s.integer(0, 3))];
+    const Attachment how =
+        std::array{Attachment::same, Attachment::same, Attachment::different, Attachment::none}[static_cast<std::size_t>(s.integer(0, 3))];
     attach(x, random_appendage(s, grading), s.integer(1, 4), how, s);
   }
   std::sort(x.local.begin(), x.local.end());
@@ -198,7 +202,8 @@ TEST(LocalModes, OfRandomAppendagesAreThoseThatMechanicsGives) {
     ModesOptions options;
     options.shapes = true;
     const ModesResult r = find_modes_keeping(system, kept, options);
-    const bool undecided = std::any_of(r.modes.begin(), r.modes.end(), [](const Mode& m) { return m.kind != ModeKind::rigid_body && m.energy_sign == 0; });
+    const bool undecided =
+        std::any_of(r.modes.begin(), r.modes.end(), [](const Mode& m) { return m.kind != ModeKind::rigid_body && m.energy_sign == 0; });
     if (undecided || r.coverage.status != CoverageStatus::complete) {
       ++unsolved;
       continue;
@@ -206,8 +211,11 @@ TEST(LocalModes, OfRandomAppendagesAreThoseThatMechanicsGives) {
     const std::vector<Mode> found = locals(r);
     const std::vector<double> omega = frequencies(found);
     with_locals += x.local.empty() ? 0 : 1;
-    const bool right = omega.size() == x.local.size() && std::equal(omega.begin(), omega.end(), x.local.begin(), [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; });
-    EXPECT_TRUE(right) << "seed " << seed << ":" << x.what << ", n = " << system.size() << ", " << to_string(r.coverage.status) << ", local: " << fmt::format("{}", fmt::join(omega, " ")) << "; truth: " << fmt::format("{}", fmt::join(x.local, " "));
+    const bool right = omega.size() == x.local.size() && std::equal(omega.begin(), omega.end(), x.local.begin(),
+                                                                    [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; });
+    EXPECT_TRUE(right) << "seed " << seed << ":" << x.what << ", n = " << system.size() << ", " << to_string(r.coverage.status)
+                       << ", local: " << fmt::format("{}", fmt::join(omega, " "))
+                       << "; truth: " << fmt::format("{}", fmt::join(x.local, " "));
     for (const Mode& m : found) EXPECT_TRUE((m.shape(kept).array() == Complex(0)).all()) << seed;
   }
   EXPECT_GE(with_locals, 1000u);

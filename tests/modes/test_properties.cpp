@@ -1,6 +1,7 @@
-// What must hold between systems that are one system in other words, between methods, and between the modes of one system; on 300 random systems.
-// Frequencies are compared within their own error bounds: δω ≤ (residual + ε)·s, with the sensitivity s = error_bound/(residual + ε), and a change of the
-// matrices by rounding is a backward error of c n ε, which moves ω by c n ε s.
+// What must hold between systems that are one system in other words, between methods, and between the modes of one
+// system; on 300 random systems. Frequencies are compared within their own error bounds: δω ≤ (residual + ε)·s, with
+// the sensitivity s = error_bound/(residual + ε), and a change of the matrices by rounding is a backward error of c n
+// ε, which moves ω by c n ε s.
 #include "support/random_matrices.h"
 #include "support/random_system.h"
 
@@ -49,7 +50,8 @@ double slack(const Mode& m, double backward, Index n) {
   return m.error_bound + backward * static_cast<double>(n) * epsilon * sensitivity + 4 * epsilon * m.omega;
 }
 
-// The same modes, frequencies `factor` times as large, and the same verdict. `backward`: the backward error between the two in units of n ε.
+// The same modes, frequencies `factor` times as large, and the same verdict. `backward`: the backward error between the
+// two in units of n ε.
 void expect_same(const ModesResult& a, const ModesResult& b, const std::string& what, double backward, double factor = 1) {
   ASSERT_EQ(a.modes.size(), b.modes.size()) << what;
   ASSERT_EQ(a.unstable.size(), b.unstable.size()) << what;
@@ -67,7 +69,9 @@ void expect_same(const ModesResult& a, const ModesResult& b, const std::string& 
   EXPECT_EQ(signs_a, signs_b) << what;
 }
 
-System changed(const support::RandomSystem& d, double m, double g, double k) { return System(m * d.mass, g * d.gyroscopic, k * d.stiffness); }
+System changed(const support::RandomSystem& d, double m, double g, double k) {
+  return System(m * d.mass, g * d.gyroscopic, k * d.stiffness);
+}
 
 TEST(Properties, ReversedSpinHasTheSameFrequencies) {
   Index compared = 0;
@@ -92,7 +96,8 @@ TEST(Properties, PermutedCoordinates) {
   });
 }
 
-// Powers of four are exact: the same bits, but where K is singular (its null vectors are orthonormalised by LAPACK, whose norms rescale).
+// Powers of four are exact: the same bits, but where K is singular (its null vectors are orthonormalised by LAPACK,
+// whose norms rescale).
 TEST(Properties, UnitOfMassIsImmaterial) {
   for_each_system([](const support::RandomSystem& d, std::mt19937_64&) {
     const ModesResult r = solved(d.system());
@@ -105,8 +110,10 @@ TEST(Properties, UnitOfMassIsImmaterial) {
         if (comparable(r)) expect_same(r, scaled, d.description, 4);
         continue;
       }
-      for (std::size_t i = 0; i < r.modes.size(); ++i) EXPECT_EQ(r.modes[i].omega, scaled.modes[i].omega) << d.description << ", mode " << i;
-      for (std::size_t i = 0; i < r.unstable.size(); ++i) EXPECT_EQ(r.unstable[i].growth_rate, scaled.unstable[i].growth_rate) << d.description;
+      for (std::size_t i = 0; i < r.modes.size(); ++i)
+        EXPECT_EQ(r.modes[i].omega, scaled.modes[i].omega) << d.description << ", mode " << i;
+      for (std::size_t i = 0; i < r.unstable.size(); ++i)
+        EXPECT_EQ(r.unstable[i].growth_rate, scaled.unstable[i].growth_rate) << d.description;
     }
   });
 }
@@ -139,11 +146,13 @@ TEST(Properties, UnitOfTime) {
   for_each_system([](const support::RandomSystem& d, std::mt19937_64&) {
     const ModesResult r = solved(d.system());
     if (!comparable(r)) return;
-    for (const double c : {3.0, 0x1p20, 1e-6}) expect_same(r, solved(changed(d, 1, c, c * c)), d.description + ", c = " + std::to_string(c), 8, c);
+    for (const double c : {3.0, 0x1p20, 1e-6})
+      expect_same(r, solved(changed(d, 1, c, c * c)), d.description + ", c = " + std::to_string(c), 8, c);
   });
 }
 
-// Kelvin, Tait, Chetaev: with any damping D > 0 that is at rest in the axes n₋(K) roots grow, whatever G, K singular or not. The roots are those of the companion matrix.
+// Kelvin, Tait, Chetaev: with any damping D > 0 that is at rest in the axes n₋(K) roots grow, whatever G, K singular or
+// not. The roots are those of the companion matrix.
 TEST(Properties, DampingMakesAsManyRootsGrowAsKHasNegative) {
   for (std::uint64_t seed = 0; seed < systems; ++seed) {
     support::Source s{std::mt19937_64(seed)};
@@ -182,7 +191,8 @@ TEST(Properties, ManyMethodsOneAnswer) {
   EXPECT_GT(symmetric, 60);
 }
 
-// Seed 199, graded K > 0: 'symmetric-2n' squares the condition and loses the small frequencies. They cannot be shown to exist, and it is not called complete.
+// Seed 199, graded K > 0: 'symmetric-2n' squares the condition and loses the small frequencies. They cannot be shown to
+// exist, and it is not called complete.
 TEST(Properties, SymmetricMethodOnGradedStiffness) {
   const support::RandomSystem d = support::random_system(199);
   const ModesResult symmetric = solved(d.system(), Method::meirovitch);
@@ -224,8 +234,8 @@ TEST(Properties, ProductOfFrequenciesIsTheRatioOfDeterminants) {
   EXPECT_GT(sharp, 40);
 }
 
-// X_iᴴ(H(ω_k) − H(ω_i))X_k = (ω_i − ω_k)·X_iᴴ((ω_i + ω_k)M − jG)X_k is a difference of residuals: orthogonality of energy, for all pairs of roots however
-// close, in units of n ε.
+// X_iᴴ(H(ω_k) − H(ω_i))X_k = (ω_i − ω_k)·X_iᴴ((ω_i + ω_k)M − jG)X_k is a difference of residuals: orthogonality of
+// energy, for all pairs of roots however close, in units of n ε.
 TEST(Properties, EnergyIsOrthogonal) {
   double worst = 0;
   for_each_system([&](const support::RandomSystem& d, std::mt19937_64&) {
@@ -275,7 +285,8 @@ TEST(Properties, CountsAtRandomCuts) {
         ++uncounted;
         continue;
       }
-      const Index expected = std::count_if(all.modes.begin(), all.modes.end(), [&](const Mode& m) { return r.coverage.window.contains(m.omega); });
+      const Index expected =
+          std::count_if(all.modes.begin(), all.modes.end(), [&](const Mode& m) { return r.coverage.window.contains(m.omega); });
       EXPECT_EQ(static_cast<Index>(r.modes.size()), expected) << d.description;
       EXPECT_EQ(*r.coverage.counted, expected) << d.description;
       EXPECT_EQ(c.status, CountStatus::exact) << d.description;

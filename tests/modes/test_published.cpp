@@ -95,8 +95,9 @@ TEST_P(EveryMethod, StabilisationThreshold) {
 
 TEST_P(EveryMethod, SpinningRigidBody) {
   const double spin = 10 * rpm;
-  for (const auto& [i1, i2, i3, verdict] : {std::tuple{90.0, 110.0, 150.0, Stability::stable}, std::tuple{90.0, 150.0, 110.0, Stability::unstable},
-                                            std::tuple{110.0, 150.0, 90.0, Stability::gyroscopically_stabilised}}) {
+  for (const auto& [i1, i2, i3, verdict] :
+       {std::tuple{90.0, 110.0, 150.0, Stability::stable}, std::tuple{90.0, 150.0, 110.0, Stability::unstable},
+        std::tuple{110.0, 150.0, 90.0, Stability::gyroscopically_stabilised}}) {
     const analytic::SpinningBody body{i1, i2, i3, spin};
     const ModesResult r = solve(body.system());
     EXPECT_EQ(r.stability, verdict);
@@ -133,7 +134,8 @@ TEST(Wiresaw, TruncatedAndContinuum) {
   EXPECT_NEAR(r.modes[8].omega, 28.272138604729, 1e-11);
   // v = 0.5: ω₁/π → 1 − v² as n⁻³
   double previous = 0;
-  for (const auto& [n, expected] : {std::pair{10, .750090649561}, std::pair{20, .750011887547}, std::pair{40, .750001530029}, std::pair{160, .750000024512}}) {
+  for (const auto& [n, expected] :
+       {std::pair{10, .750090649561}, std::pair{20, .750011887547}, std::pair{40, .750001530029}, std::pair{160, .750000024512}}) {
     const double found = find_modes(analytic::wiresaw(n, 0.5)).modes[0].omega / pi;
     EXPECT_NEAR(found, expected, 1e-12);
     if (n == 20) {

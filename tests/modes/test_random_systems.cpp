@@ -1,5 +1,5 @@
-// Random systems of every class (support/random_system.h): found = counted, residuals at rounding, and the verdict of a 100-digit twin.
-// GYROMODE_RANDOM_SYSTEMS sets how many (10 000; 100 000 with ./check --full).
+// Random systems of every class (support/random_system.h): found = counted, residuals at rounding, and the verdict of a
+// 100-digit twin. GYROMODE_RANDOM_SYSTEMS sets how many (10 000; 100 000 with ./check --full).
 #include "campaign/truth.h"
 #include "support/random_system.h"
 
@@ -46,9 +46,9 @@ TEST(RandomSystems, FoundIsCountedAndResidualsAreRounding) {
   EXPECT_LE(uncertified, 1 + wanted() / 10000);
 }
 
-// The twin works on the exact matrices, without a tolerance: it is asked wherever the verdict is not K > 0, and must agree where it is farther from
-// another verdict than rounding can move it (√ε for roots that meet). Zero modes of a component with K ≥ 0 are rigid for us whatever the other
-// components do; the twin does not look at components.
+// The twin works on the exact matrices, without a tolerance: it is asked wherever the verdict is not K > 0, and must
+// agree where it is farther from another verdict than rounding can move it (√ε for roots that meet). Zero modes of a
+// component with K ≥ 0 are rigid for us whatever the other components do; the twin does not look at components.
 TEST(RandomSystems, VerdictOfTheTwin) {
   std::uint64_t compared = 0;
   for (std::uint64_t seed = 0; seed < wanted() / 5; ++seed) {

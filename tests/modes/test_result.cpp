@@ -17,7 +17,9 @@ namespace gyromode {
 namespace {
 
 // Uncoupled oscillators: ω_i² = k_i exactly.
-System oscillators(const Vector& k) { return System(Matrix::Identity(k.size(), k.size()), Matrix::Zero(k.size(), k.size()), k.asDiagonal()); }
+System oscillators(const Vector& k) {
+  return System(Matrix::Identity(k.size(), k.size()), Matrix::Zero(k.size(), k.size()), k.asDiagonal());
+}
 
 // 1, 2, 3, 4, 5 rad/s.
 System ladder() { return oscillators(Vector{{1, 4, 9, 16, 25}}); }
@@ -58,11 +60,13 @@ Vector frequencies(const ModesResult& r) {
 // The modes are those of `expected`, to rounding.
 testing::AssertionResult has_modes(const ModesResult& r, const Vector& expected) {
   const Vector found = frequencies(r);
-  if (found.size() == expected.size() && ((found - expected).array().abs() <= 1e-14 * (1 + expected.array())).all()) return testing::AssertionSuccess();
+  if (found.size() == expected.size() && ((found - expected).array().abs() <= 1e-14 * (1 + expected.array())).all())
+    return testing::AssertionSuccess();
   return testing::AssertionFailure() << "found " << found.transpose() << ", expected " << expected.transpose();
 }
 
-// ---- shapes -------------------------------------------------------------------------------------------------------------
+// ---- shapes
+// -------------------------------------------------------------------------------------------------------------
 
 void expect_conventions(const ModesResult& r, const std::string& what) {
   for (const Mode& m : r.modes) {
@@ -116,7 +120,8 @@ TEST(Shapes, FirstOfTiesAndNoneUnlessAsked) {
   EXPECT_EQ(find_modes(ladder()).modes[0].shape.size(), 0);
 }
 
-// ---- windows ------------------------------------------------------------------------------------------------------------
+// ---- windows
+// ------------------------------------------------------------------------------------------------------------
 
 TEST(Windows, HoldModesFromAUpToB) {
   EXPECT_TRUE(has_modes(in_window(ladder(), 1.5, 3.5), Vector{{2, 3}}));
@@ -165,7 +170,8 @@ TEST(Windows, MustBeWindows) {
   }
 }
 
-// ---- lowest -----------------------------------------------------------------------------------------------------------------
+// ---- lowest
+// -----------------------------------------------------------------------------------------------------------------
 
 TEST(Lowest, CountsVibrationsAndBringsRigidBodiesAlong) {
   EXPECT_TRUE(has_modes(lowest(ladder(), 2), Vector{{1, 2}}));
@@ -203,7 +209,8 @@ TEST(Lowest, StaysInTheWindow) {
 // "Only so many": none asked for, one returned.
 TEST(Lowest, NoneIsRefused) { EXPECT_THROW(lowest(ladder(), 0), InvalidArgument); }
 
-// ---- counts, kinds, signs -------------------------------------------------------------------------------------------------------
+// ---- counts, kinds, signs
+// -------------------------------------------------------------------------------------------------------
 
 TEST(Result, EveryRootIsAccountedForAndCounted) {
   for (std::uint64_t seed = 1000; seed < 1600; ++seed) {
@@ -248,8 +255,9 @@ TEST(Result, ZeroModesOfAnIndefiniteStiffnessAreNoRigidBodies) {
   EXPECT_NEAR(r.modes[1].omega, std::sqrt(8), 1e-14);
 }
 
-// K = TᵀK₀T ≥ 0 of rank 2 with NᵀGN = 0 exactly, T an integer matrix of condition 40: three pairs of zero roots (r = 3, s = 0 in theory (T10)). Found are two
-// zero modes and a vibration of 1.5e-14 rad/s, "complete": NᵀΓN of the computed null vectors is above 8 n ε‖Γ‖.
+// K = TᵀK₀T ≥ 0 of rank 2 with NᵀGN = 0 exactly, T an integer matrix of condition 40: three pairs of zero roots (r = 3,
+// s = 0 in theory (T10)). Found are two zero modes and a vibration of 1.5e-14 rad/s, "complete": NᵀΓN of the computed
+// null vectors is above 8 n ε‖Γ‖.
 TEST(Result, UncoupledNullSpaceInSkewCoordinates) {
   Matrix m(5, 5), g(5, 5), k(5, 5);
   m << 3, 1, 1, 1, 0, 1, 2, -2, 2, 0, 1, -2, 4, -2, -1, 1, 2, -2, 5, 2, 0, 0, -1, 2, 4;
@@ -293,7 +301,8 @@ TEST(Result, FirstOrderConstantSolutionsAreRigid) {
   EXPECT_EQ(r.coverage.status, CoverageStatus::complete);
 }
 
-// ---- refusals -----------------------------------------------------------------------------------------------------------------------
+// ---- refusals
+// -----------------------------------------------------------------------------------------------------------------------
 
 std::string refusal(const System& s, Method method) {
   ModesOptions options;

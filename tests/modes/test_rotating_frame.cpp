@@ -1,5 +1,5 @@
-// The rotating-frame family at sizes up to 2000: frequencies |ω_k − Ω|, ω_k + Ω exactly, energy signs, counts and zero modes, with K from positive to
-// negative definite.
+// The rotating-frame family at sizes up to 2000: frequencies |ω_k − Ω|, ω_k + Ω exactly, energy signs, counts and zero
+// modes, with K from positive to negative definite.
 #include "analytic/closed_forms.h"
 
 #include "gyromode/lapack/small.h"
@@ -22,8 +22,8 @@ struct Truth {
   int sign;
 };
 
-// M₀ = R Rᵀ of the given condition and K₀ = R Q diag(ω_k²) Qᵀ Rᵀ: ω_k is known exactly up to the rounding of M₀ and K₀, which is a backward error of
-// n ε ‖K₀‖.
+// M₀ = R Rᵀ of the given condition and K₀ = R Q diag(ω_k²) Qᵀ Rᵀ: ω_k is known exactly up to the rounding of M₀ and K₀,
+// which is a backward error of n ε ‖K₀‖.
 struct Family {
   Vector omega;
   analytic::RotatingFrame frame;
@@ -55,7 +55,8 @@ Family family(Index half, double spin, unsigned seed, const Options& options = {
   std::mt19937_64 random(seed);
   const Matrix q = random_orthogonal(half, random);
   const Vector grades = Vector::LinSpaced(half, 0, -0.5 * std::log(options.mass_condition)).array().exp();
-  const Matrix root = options.mass_condition == 1 ? Matrix::Identity(half, half) : Matrix(random_orthogonal(half, random) * grades.asDiagonal());
+  const Matrix root =
+      options.mass_condition == 1 ? Matrix::Identity(half, half) : Matrix(random_orthogonal(half, random) * grades.asDiagonal());
   Family f;
   f.omega.resize(half);
   for (Index i = 0; i < half; ++i) f.omega(i) = 1 + 9 * (static_cast<double>(i) + 0.3) / static_cast<double>(half);

@@ -34,7 +34,9 @@ TEST(FrequencyResponse, ResonanceIsSaidAndShown) {
     unbounded += p.resonance() ? 1 : 0;
     added += p.added ? 1 : 0;
     EXPECT_EQ(p.resonance(), p.omega == 2);
-    if (p.added) { EXPECT_GT(p.q.norm(), 5); }
+    if (p.added) {
+      EXPECT_GT(p.q.norm(), 5);
+    }
   }
   EXPECT_EQ(unbounded, 1u);
   EXPECT_EQ(added, 16u);
@@ -45,7 +47,8 @@ TEST(FrequencyResponse, ResonanceIsSaidAndShown) {
   EXPECT_NEAR(std::abs(one.points[1].q(0)), 0, 1e-9);
 }
 
-// [1 c; c 4] in coordinates with units 2^±30: the mode at 2 has q1 by c/3, and is driven by as much of a force on q1 for as long as its shape is known so well.
+// [1 c; c 4] in coordinates with units 2^±30: the mode at 2 has q1 by c/3, and is driven by as much of a force on q1
+// for as long as its shape is known so well.
 TEST(FrequencyResponse, HowWeaklyAModeIsDriven) {
   for (const double unit : {std::exp2(-30), 1.0, std::exp2(30)}) {
     const Matrix d = Eigen::Vector2d(1, unit).asDiagonal();
@@ -81,7 +84,8 @@ TEST(FrequencyResponse, EqualFrequenciesAreDrivenAsASpan) {
   for (const DrivenMode& m : r.modes) EXPECT_EQ(m.driven, Driven::yes) << m.omega;
   EXPECT_NEAR(r.modes[0].participation, std::sqrt(1.0 / 3), 1e-14);
   EXPECT_NEAR(r.modes[1].participation, std::sqrt(2.0 / 3), 1e-14);
-  const FrequencyResponse all = frequency_response(ring, Eigen::Vector3d(1, 1, 1), Eigen::Vector2d(0.5, 3));  // symmetric: not the pair, as far as one can tell
+  // symmetric: not the pair, as far as one can tell
+  const FrequencyResponse all = frequency_response(ring, Eigen::Vector3d(1, 1, 1), Eigen::Vector2d(0.5, 3));
   EXPECT_EQ(all.modes[0].driven, Driven::yes);
   EXPECT_NE(all.modes[1].driven, Driven::yes);
   EXPECT_EQ(all.resonances().size(), 1u);

@@ -73,7 +73,8 @@ TEST(Response, EnergyIsConstantAndIsTheSumOfTheShares) {
     }
     EXPECT_NEAR(sum, r.initial_energy(), 1e-12 * scale);
     const double fastest = r.modal().back().omega;
-    for (int k = 0; k <= 50; ++k) EXPECT_NEAR(r.energy(r.at(2 * std::numbers::pi / fastest * 20 * k)), r.initial_energy(), 1e-12 * scale) << trial;
+    for (int k = 0; k <= 50; ++k)
+      EXPECT_NEAR(r.energy(r.at(2 * std::numbers::pi / fastest * 20 * k)), r.initial_energy(), 1e-12 * scale) << trial;
   }
 }
 
@@ -93,7 +94,8 @@ TEST(Response, OneModeAlone) {
   }
 }
 
-// A free body in turning axes: K = −Ω²m, a double defective root at Ω. Its motion is a straight line at constant speed, in turning axes R(−Ωt)(q + (q̇ + Ω × q)t).
+// A free body in turning axes: K = −Ω²m, a double defective root at Ω. Its motion is a straight line at constant speed,
+// in turning axes R(−Ωt)(q + (q̇ + Ω × q)t).
 TEST(Response, FreeBodyInTurningAxesIsExact) {
   const double spin = 0.7, m = 3;
   const Matrix g{{0, -2 * m * spin}, {2 * m * spin, 0}};
@@ -128,9 +130,12 @@ TEST(Response, DriftIsLinear) {
 }
 
 TEST(Response, DivergenceFlutterAndDoubleRoots) {
-  const auto rotating = [](double g, double k1, double k2) { return System(Matrix::Identity(2, 2), Matrix{{0, -g}, {g, 0}}, Matrix{{k1, 0}, {0, k2}}); };
+  const auto rotating = [](double g, double k1, double k2) {
+    return System(Matrix::Identity(2, 2), Matrix{{0, -g}, {g, 0}}, Matrix{{k1, 0}, {0, k2}});
+  };
   Source s{std::mt19937_64(5)};
-  for (const System& system : {rotating(0.5, -1, 4), rotating(2.9, -1, -4), rotating(3, -1, -4), rotating(3.1, -1, -4), rotating(3 + 1e-9, -1, -4)}) {
+  for (const System& system :
+       {rotating(0.5, -1, 4), rotating(2.9, -1, -4), rotating(3, -1, -4), rotating(3.1, -1, -4), rotating(3 + 1e-9, -1, -4)}) {
     const State start = random_state(s, 2);
     const Response r(system, start);
     for (const double t : {0.1, 1.0, 5.0, 20.0}) {
@@ -140,7 +145,8 @@ TEST(Response, DivergenceFlutterAndDoubleRoots) {
   }
 }
 
-// Any system the solvers know, whatever its class: the parts add up to the state, and motion is that of the exponential.
+// Any system the solvers know, whatever its class: the parts add up to the state, and motion is that of the
+// exponential.
 TEST(Response, RandomSystemsOfEveryClass) {
   int compared = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
@@ -151,11 +157,13 @@ TEST(Response, RandomSystemsOfEveryClass) {
     const State start = random_state(s, system.size());
     const Response r(system, start);
     if (!r.balance_closed()) continue;
-    const double fastest = std::max(std::sqrt(system.stiffness().norm() / system.mass().norm()), system.gyroscopic().norm() / system.mass().norm());
+    const double fastest =
+        std::max(std::sqrt(system.stiffness().norm() / system.mass().norm()), system.gyroscopic().norm() / system.mass().norm());
     if (!(fastest > 0)) continue;
     const State exact = exact_state(system, start, 3 / fastest);
     ++compared;
-    EXPECT_LE(distance(r.at(3 / fastest), exact, fastest), 1e-7 * size(exact, fastest)) << seed << ": " << drawn.description << ", departure " << r.departure();
+    EXPECT_LE(distance(r.at(3 / fastest), exact, fastest), 1e-7 * size(exact, fastest))
+        << seed << ": " << drawn.description << ", departure " << r.departure();
   }
   EXPECT_GT(compared, 50);
 }
@@ -174,7 +182,9 @@ TEST(Response, ForcesAgainstTheMatrixExponential) {
       const Response r(system, start, {{nu == 0 ? Force::Course::step : Force::Course::harmonic, f, nu}});
       for (const double t : {0.2, 3.0, 50.0}) {
         const State exact = exact_state(system, start, f, nu, t);
-        EXPECT_LE(distance(r.at(t), exact, fastest), 40 * static_cast<double>(n) * epsilon * (1 + fastest * t) * (size(exact, fastest) + f.norm() * t)) << trial << " ν " << nu << " t " << t;
+        EXPECT_LE(distance(r.at(t), exact, fastest),
+                  40 * static_cast<double>(n) * epsilon * (1 + fastest * t) * (size(exact, fastest) + f.norm() * t))
+            << trial << " ν " << nu << " t " << t;
       }
     }
     const Response kicked(system, start, {{Force::Course::impulse, f, 0}});
@@ -195,7 +205,8 @@ TEST(Response, ForcesOnFreeAndGrowingMotion) {
         const Response r(system, start, {{nu == 0 ? Force::Course::step : Force::Course::harmonic, f, nu}});
         for (const double t : {0.5, 4.0, 12.0}) {
           const State exact = exact_state(system, start, f, nu, t);
-          EXPECT_LE(distance(r.at(t), exact, 1), 1e-12 * (1 + t) * (size(exact, 1) + 1)) << nu << " " << t << " " << system.stiffness()(0, 0);
+          EXPECT_LE(distance(r.at(t), exact, 1), 1e-12 * (1 + t) * (size(exact, 1) + 1))
+              << nu << " " << t << " " << system.stiffness()(0, 0);
         }
       }
     }
@@ -218,7 +229,8 @@ TEST(Response, DriftBesideStiffCoordinates) {
   }
 }
 
-// A step force on a free mass in turning axes, for as long as one likes: the straight line of a steady force that turns.
+// A step force on a free mass in turning axes, for as long as one likes: the straight line of a steady force that
+// turns.
 TEST(Response, ForcedDoubleRootIsExact) {
   const double spin = 0.8, m = 100;
   const Matrix g{{0, -2 * m * spin}, {2 * m * spin, 0}};
@@ -235,7 +247,8 @@ TEST(Response, ForcedDoubleRootIsExact) {
 
 // Coordinates q = d q̂ with d powers of two from 2⁻³⁰ to 2³⁰: the same motion, to the last bit of the accuracy.
 System in_units(const System& s, const Vector& d) {
-  return System(d.asDiagonal() * s.mass() * d.asDiagonal(), d.asDiagonal() * s.gyroscopic() * d.asDiagonal(), d.asDiagonal() * s.stiffness() * d.asDiagonal());
+  return System(d.asDiagonal() * s.mass() * d.asDiagonal(), d.asDiagonal() * s.gyroscopic() * d.asDiagonal(),
+                d.asDiagonal() * s.stiffness() * d.asDiagonal());
 }
 State in_units(const State& w, const Vector& d) { return {w.q.cwiseQuotient(d), w.qdot.cwiseQuotient(d)}; }
 State back(const State& w, const Vector& d) { return {w.q.cwiseProduct(d), w.qdot.cwiseProduct(d)}; }
@@ -246,7 +259,8 @@ Vector random_units(Source& s, Index n) {
   return d;
 }
 
-// One growing motion and undamped ones in coordinates that show neither; moved along the undamped ones, by states and forces, the remainder is rounding and stays rounding times e^{σt}.
+// One growing motion and undamped ones in coordinates that show neither; moved along the undamped ones, by states and
+// forces, the remainder is rounding and stays rounding times e^{σt}.
 TEST(Response, RemainderOfRoundingStaysRounding) {
   Source s{std::mt19937_64(11)};
   for (int trial = 0; trial < 24; ++trial) {
@@ -262,7 +276,9 @@ TEST(Response, RemainderOfRoundingStaysRounding) {
     const double nu = trial % 4 == 1 ? 0 : 0.9;
     for (const bool at_rest : {false, true}) {
       const State from = at_rest ? State::rest(n) : start;
-      const Response r(in_units(base, d), in_units(from, d), {{nu == 0 ? Force::Course::step : Force::Course::harmonic, d.asDiagonal() * f, nu}, {Force::Course::impulse, d.asDiagonal() * f, 0}});
+      const Response r(in_units(base, d), in_units(from, d),
+                       {{nu == 0 ? Force::Course::step : Force::Course::harmonic, d.asDiagonal() * f, nu},
+                        {Force::Course::impulse, d.asDiagonal() * f, 0}});
       EXPECT_TRUE(r.balance_closed());
       EXPECT_LE(r.departure(), 1e-12 * std::sqrt(stiff)) << trial;
       State kicked = from;
@@ -270,13 +286,15 @@ TEST(Response, RemainderOfRoundingStaysRounding) {
       for (const double t : {0.5, 8.0, 20.0}) {
         const State exact = exact_state(base, kicked, f, nu, t);
         const double bar = 100 * static_cast<double>(n) * epsilon * std::exp(growth * t) * stiff * (1 + t);
-        EXPECT_LE(distance(back(r.at(t), d), exact, 1), bar * (size(kicked, 1) + f.norm())) << "trial " << trial << ", t " << t << ", at rest " << at_rest;
+        EXPECT_LE(distance(back(r.at(t), d), exact, 1), bar * (size(kicked, 1) + f.norm()))
+            << "trial " << trial << ", t " << t << ", at rest " << at_rest;
       }
     }
   }
 }
 
-// A pair of growth, a double root and modes in one component: what is in the remainder is followed there, forces alone are judged too.
+// A pair of growth, a double root and modes in one component: what is in the remainder is followed there, forces alone
+// are judged too.
 TEST(Response, RemainderBesideModes) {
   Source s{std::mt19937_64(12)};
   for (int trial = 0; trial < 12; ++trial) {
@@ -300,13 +318,15 @@ TEST(Response, RemainderBesideModes) {
   }
 }
 
-// Motion is linear: what moves by 2⁻⁶⁶⁰, whose square no number holds, moves the same. M = 1, a growing pair beside a mode.
+// Motion is linear: what moves by 2⁻⁶⁶⁰, whose square no number holds, moves the same. M = 1, a growing pair beside a
+// mode.
 TEST(Response, SmallMotionIsNoRounding) {
   const System system(Matrix::Identity(2, 2), Matrix{{0, -0.5}, {0.5, 0}}, Matrix{{-1, 0.3}, {0.3, 4}});
   const double small = std::exp2(-660);
   const State start{Eigen::Vector2d(0.3, -0.2), Eigen::Vector2d(0.1, 0.7)};
   const Vector f = Eigen::Vector2d(0.4, -1);
-  const Response large(system, start, {{Force::Course::step, f, 0}}), tiny(system, {small * start.q, small * start.qdot}, {{Force::Course::step, small * f, 0}});
+  const Response large(system, start, {{Force::Course::step, f, 0}}),
+      tiny(system, {small * start.q, small * start.qdot}, {{Force::Course::step, small * f, 0}});
   EXPECT_EQ(tiny.remainder_size(), 2);
   for (const double t : {0.5, 5.0}) EXPECT_LE((tiny.at(t).q / small - large.at(t).q).norm(), 1e-15 * large.at(t).q.norm()) << t;
   EXPECT_NEAR(tiny.phase_error(1) / large.phase_error(1), 1, 1e-12);
@@ -327,7 +347,9 @@ TEST(Response, PhaseErrorIsKnown) {
     EXPECT_LT(r.phase_error(1e3 / fastest), 1e-9);
     for (const double t : {1e3 / fastest, 1e6 / fastest, 1e9 / fastest}) {
       const State exact = exact_state(base, start, t);
-      EXPECT_LE(distance(back(r.at(t), d), exact, fastest), (10 * r.phase_error(t) + 100 * static_cast<double>(n) * epsilon) * size(exact, fastest)) << trial << " " << t;
+      EXPECT_LE(distance(back(r.at(t), d), exact, fastest),
+                (10 * r.phase_error(t) + 100 * static_cast<double>(n) * epsilon) * size(exact, fastest))
+          << trial << " " << t;
     }
   }
   const System one(Matrix::Identity(1, 1), Matrix::Zero(1, 1), Matrix::Identity(1, 1));

@@ -152,7 +152,8 @@ gyroscopic_per_spin = [[0, -3], [3, 0]]
 stiffness = [[10, 2], [2, 20]]
 stiffness_per_spin2 = [[-1, 0.5], [0.5, 4]]
 spin = )";
-  for (const auto& [written, spin] : std::vector<std::pair<std::string, double>>{{"2", 2}, {"-0.5", -0.5}, {"0", 0}, {"'1.5 rad/s'", 1.5}, {"'-4 1/s'", -4}}) {
+  for (const auto& [written, spin] :
+       std::vector<std::pair<std::string, double>>{{"2", 2}, {"-0.5", -0.5}, {"0", 0}, {"'1.5 rad/s'", 1.5}, {"'-4 1/s'", -4}}) {
     const Model model = read(laws + written);
     EXPECT_EQ(model.spin, spin) << written;
     const double g = 1 + 3 * spin, s = spin * spin;
@@ -177,7 +178,8 @@ TEST_F(ModelToml, SpinNeedsWhatItActsOnAndTheReverse) {
             "model.toml:4:8: 'spin' has nothing to act on: 'gyroscopic_per_spin' or 'stiffness_per_spin2' was expected beside it");
   EXPECT_EQ(error("kind='matrices'\nmass=[[1]]\nstiffness=[[1]]\ngyroscopic_per_spin = [[0]]\n"),
             "model.toml:4:23: 'gyroscopic_per_spin' needs 'spin' = a frequency");
-  EXPECT_EQ(error("kind='matrices'\nmass=[[1]]\nstiffness_per_spin2 = [[1]]\n"), "model.toml:3:23: 'stiffness_per_spin2' needs 'spin' = a frequency");
+  EXPECT_EQ(error("kind='matrices'\nmass=[[1]]\nstiffness_per_spin2 = [[1]]\n"),
+            "model.toml:3:23: 'stiffness_per_spin2' needs 'spin' = a frequency");
   EXPECT_EQ(error("kind='matrices'\nmass=[[1]]\nspin=1\ngyroscopic_per_spin=[[0]]\n"),
             "model.toml:1: key 'stiffness' is missing: a Matrix Market file or rows of numbers was expected");
 }
@@ -187,8 +189,10 @@ TEST_F(ModelToml, KnownValuesAreCheckedWhereTheyStand) {
   const std::string model = start + "mass = [[1]]\nstiffness = [[1]]\n[known]\n";
   EXPECT_EQ(error(model + "stability = \"stabel\"\n"),
             "model.toml:5:13: 'stabel' is no stability: stable, gyroscopically_stabilised, marginal, unstable was expected");
-  EXPECT_EQ(error(model + "class = \"special\"\n"), "model.toml:5:9: 'special' is no class: quadrature, hidden_quadrature, general, transcendental was expected");
-  EXPECT_EQ(error(model + "frequencies = [2, 1]\n"), "model.toml:5:15: 'frequencies' do not ascend: rad/s in ascending order were expected");
+  EXPECT_EQ(error(model + "class = \"special\"\n"),
+            "model.toml:5:9: 'special' is no class: quadrature, hidden_quadrature, general, transcendental was expected");
+  EXPECT_EQ(error(model + "frequencies = [2, 1]\n"),
+            "model.toml:5:15: 'frequencies' do not ascend: rad/s in ascending order were expected");
   EXPECT_EQ(error(model + "frequency = [1]\n"), "model.toml:5:1: key 'frequency' is not known here: did you mean 'frequencies'?");
 }
 
@@ -205,7 +209,8 @@ TEST_F(ModelToml, UnknownKeys) {
   EXPECT_EQ(error(start + "lables = []\n"), "model.toml:2:1: key 'lables' is not known here: did you mean 'labels'?");
   EXPECT_EQ(error(start + "[knwon]\n"), "model.toml:2:2: key 'knwon' is not known here: did you mean 'known'?");
   EXPECT_EQ(error(start + "inertia = [[1]]\n").find("model.toml:2:1: key 'inertia' is not known here: did you mean '"), 0u);
-  EXPECT_EQ(error("kind = 'first_order'\nstiffness = [[1]]\n").find("model.toml:2:1: key 'stiffness' is not known here: did you mean '"), 0u);
+  EXPECT_EQ(error("kind = 'first_order'\nstiffness = [[1]]\n").find("model.toml:2:1: key 'stiffness' is not known here: did you mean '"),
+            0u);
   EXPECT_EQ(error(start + "\"\\u001b[31m\" = 1\n").find("model.toml:2:1: key '\\x1b[31m' is not known here"), 0u);
 }
 
@@ -214,36 +219,49 @@ TEST_F(ModelToml, Kinds) {
   EXPECT_EQ(error("title = 't'\n"), expected);
   EXPECT_EQ(error("# nothing\n"), expected);
   EXPECT_EQ(error("kind = ''\n"), expected);
-  EXPECT_EQ(error("\nkind = 'rotor'\n"), "model.toml:2:8: kind 'rotor' is not known to this version: 'matrices', 'first_order' or 'spacecraft' was expected");
-  EXPECT_EQ(error("kind = 'Matrices'\n"), "model.toml:1:8: kind 'Matrices' is not known to this version: 'matrices', 'first_order' or 'spacecraft' was expected");
+  EXPECT_EQ(error("\nkind = 'rotor'\n"),
+            "model.toml:2:8: kind 'rotor' is not known to this version: 'matrices', 'first_order' or 'spacecraft' was expected");
+  EXPECT_EQ(error("kind = 'Matrices'\n"),
+            "model.toml:1:8: kind 'Matrices' is not known to this version: 'matrices', 'first_order' or 'spacecraft' was expected");
   EXPECT_EQ(error("kind = 1\n"), "model.toml:1:8: 'kind' is a number: a string was expected");
 }
 
 TEST_F(ModelToml, MissingKeys) {
-  EXPECT_EQ(error("kind='matrices'\nstiffness=[[1]]\n"), "model.toml:1: key 'mass' is missing: a Matrix Market file or rows of numbers was expected");
-  EXPECT_EQ(error("kind='matrices'\nmass=[[1]]\n"), "model.toml:1: key 'stiffness' is missing: a Matrix Market file or rows of numbers was expected");
-  EXPECT_EQ(error("kind='first_order'\ngyroscopic=[[0]]\n"), "model.toml:1: key 'inertia' is missing: a Matrix Market file or rows of numbers was expected");
-  EXPECT_EQ(error("kind='first_order'\ninertia=[[1]]\n"), "model.toml:1: key 'gyroscopic' is missing: a Matrix Market file or rows of numbers was expected");
+  EXPECT_EQ(error("kind='matrices'\nstiffness=[[1]]\n"),
+            "model.toml:1: key 'mass' is missing: a Matrix Market file or rows of numbers was expected");
+  EXPECT_EQ(error("kind='matrices'\nmass=[[1]]\n"),
+            "model.toml:1: key 'stiffness' is missing: a Matrix Market file or rows of numbers was expected");
+  EXPECT_EQ(error("kind='first_order'\ngyroscopic=[[0]]\n"),
+            "model.toml:1: key 'inertia' is missing: a Matrix Market file or rows of numbers was expected");
+  EXPECT_EQ(error("kind='first_order'\ninertia=[[1]]\n"),
+            "model.toml:1: key 'gyroscopic' is missing: a Matrix Market file or rows of numbers was expected");
 }
 
 TEST_F(ModelToml, WrongTypes) {
-  const std::vector<std::pair<std::string, std::string>> others{{"true", "true or false"}, {"{}", "a table"}, {"1979-05-27", "a date or time"}};
+  const std::vector<std::pair<std::string, std::string>> others{
+      {"true", "true or false"}, {"{}", "a table"}, {"1979-05-27", "a date or time"}};
   for (const auto& [value, word] : others) {
     for (const char* key : {"title", "reference"}) {
       const std::string text = std::string("kind='matrices'\nmass=[[1]]\nstiffness=[[1]]\n") + key + "=" + value;
-      EXPECT_EQ(error(text), "model.toml:4:" + std::to_string(std::string(key).size() + 2) + ": '" + key + "' is " + word + ": a string was expected");
+      EXPECT_EQ(error(text),
+                "model.toml:4:" + std::to_string(std::string(key).size() + 2) + ": '" + key + "' is " + word + ": a string was expected");
     }
     EXPECT_EQ(error("kind='matrices'\nlabels=" + value), "model.toml:2:8: 'labels' is " + word + ": an array of strings was expected");
-    EXPECT_EQ(error("kind='matrices'\nlabels=['x', " + value + "]"), "model.toml:2:14: an item of 'labels' is " + word + ": a string was expected");
-    EXPECT_EQ(error("kind='matrices'\nmass=" + value), "model.toml:2:6: 'mass' is " + word + ": a Matrix Market file or rows of numbers was expected");
-    EXPECT_EQ(error("kind='matrices'\nmass=[[1,0],[" + value + ",1]]"), "model.toml:2:14: entry (2,1) of 'mass' is " + word + ": a number was expected");
-    EXPECT_EQ(error("kind='matrices'\nmass=[[1,0]," + value + "]"), "model.toml:2:13: row 2 of 'mass' is " + word + ": an array of numbers was expected");
+    EXPECT_EQ(error("kind='matrices'\nlabels=['x', " + value + "]"),
+              "model.toml:2:14: an item of 'labels' is " + word + ": a string was expected");
+    EXPECT_EQ(error("kind='matrices'\nmass=" + value),
+              "model.toml:2:6: 'mass' is " + word + ": a Matrix Market file or rows of numbers was expected");
+    EXPECT_EQ(error("kind='matrices'\nmass=[[1,0],[" + value + ",1]]"),
+              "model.toml:2:14: entry (2,1) of 'mass' is " + word + ": a number was expected");
+    EXPECT_EQ(error("kind='matrices'\nmass=[[1,0]," + value + "]"),
+              "model.toml:2:13: row 2 of 'mass' is " + word + ": an array of numbers was expected");
     for (const char* key : {"gyroscopic", "stiffness", "gyroscopic_per_spin", "stiffness_per_spin2"}) {
       const std::string text = std::string("kind='matrices'\nmass=[[1]]\n") + key + "=" + value;
       EXPECT_EQ(error(text), "model.toml:3:" + std::to_string(std::string(key).size() + 2) + ": '" + key + "' is " + word +
                                  ": a Matrix Market file or rows of numbers was expected");
     }
-    EXPECT_EQ(error("kind='first_order'\ninertia=" + value), "model.toml:2:9: 'inertia' is " + word + ": a Matrix Market file or rows of numbers was expected");
+    EXPECT_EQ(error("kind='first_order'\ninertia=" + value),
+              "model.toml:2:9: 'inertia' is " + word + ": a Matrix Market file or rows of numbers was expected");
     EXPECT_EQ(error("kind='matrices'\nmass=[[1]]\nspin=" + value),
               "model.toml:3:6: 'spin' is " + word + ": " + std::string(frequency_form) + " was expected");
   }
@@ -251,7 +269,8 @@ TEST_F(ModelToml, WrongTypes) {
   EXPECT_EQ(error("kind='matrices'\nmass=[['1']]"), "model.toml:2:8: entry (1,1) of 'mass' is a string: a number was expected");
   EXPECT_EQ(error("kind='matrices'\nlabels='x'"), "model.toml:2:8: 'labels' is a string: an array of strings was expected");
   EXPECT_EQ(error("kind='matrices'\nlabels=[1]"), "model.toml:2:9: an item of 'labels' is a number: a string was expected");
-  EXPECT_EQ(error("kind='matrices'\nmass=[[1]]\nstiffness=[[1]]\ntitle=['a']"), "model.toml:4:7: 'title' is an array: a string was expected");
+  EXPECT_EQ(error("kind='matrices'\nmass=[[1]]\nstiffness=[[1]]\ntitle=['a']"),
+            "model.toml:4:7: 'title' is an array: a string was expected");
 }
 
 TEST_F(ModelToml, SpinThatIsNoFrequency) {
@@ -268,7 +287,8 @@ TEST_F(ModelToml, SpinThatIsNoFrequency) {
 TEST_F(ModelToml, Shapes) {
   const std::string start = "kind='matrices'\n";
   EXPECT_EQ(error(start + "mass = [[1, 0], [0]]\n"), "model.toml:2:17: row 2 of 'mass' has 1 numbers: 2 were expected, as in row 1");
-  EXPECT_EQ(error(start + "mass = [\n  [1, 0],\n  [0, 1, 2],\n]\n"), "model.toml:4:3: row 2 of 'mass' has 3 numbers: 2 were expected, as in row 1");
+  EXPECT_EQ(error(start + "mass = [\n  [1, 0],\n  [0, 1, 2],\n]\n"),
+            "model.toml:4:3: row 2 of 'mass' has 3 numbers: 2 were expected, as in row 1");
   EXPECT_EQ(error(start + "mass = [[1, 0], []]\n"), "model.toml:2:17: row 2 of 'mass' has 0 numbers: 2 were expected, as in row 1");
   EXPECT_EQ(error(start + "mass = [[1, 2]]\n"), "model.toml:2:8: 'mass' has 1 rows and 2 columns: a square matrix was expected");
   EXPECT_EQ(error(start + "mass = [[1], [2]]\n"), "model.toml:2:8: 'mass' has 2 rows and 1 columns: a square matrix was expected");
@@ -284,7 +304,8 @@ TEST_F(ModelToml, OneOrderThroughout) {
   const std::string order = " is 2 × 2: the order of the matrices before it, 1 × 1, was expected";
   EXPECT_EQ(error("kind='matrices'\nmass=[[1]]\nstiffness=" + two), "model.toml:3:11: 'stiffness'" + order);
   EXPECT_EQ(error("kind='matrices'\nmass=[[1]]\nstiffness=[[1]]\ngyroscopic=" + two), "model.toml:4:12: 'gyroscopic'" + order);
-  EXPECT_EQ(error("kind='matrices'\nspin=1\nmass=[[1]]\nstiffness=[[1]]\ngyroscopic_per_spin=" + two), "model.toml:5:21: 'gyroscopic_per_spin'" + order);
+  EXPECT_EQ(error("kind='matrices'\nspin=1\nmass=[[1]]\nstiffness=[[1]]\ngyroscopic_per_spin=" + two),
+            "model.toml:5:21: 'gyroscopic_per_spin'" + order);
   EXPECT_EQ(error("kind='matrices'\nspin=1\nmass=[[1]]\nstiffness_per_spin2=" + two), "model.toml:4:21: 'stiffness_per_spin2'" + order);
   EXPECT_EQ(error("kind='first_order'\ninertia=[[1]]\ngyroscopic=" + two), "model.toml:3:12: 'gyroscopic'" + order);
   write("K.mtx", mtx_k);
@@ -292,7 +313,8 @@ TEST_F(ModelToml, OneOrderThroughout) {
 }
 
 TEST_F(ModelToml, EntriesAreFinite) {
-  EXPECT_EQ(error("kind='matrices'\nmass=[[1, 0],\n[0, inf]]"), "model.toml:3:5: entry (2,2) of 'mass' is inf: a finite number was expected");
+  EXPECT_EQ(error("kind='matrices'\nmass=[[1, 0],\n[0, inf]]"),
+            "model.toml:3:5: entry (2,2) of 'mass' is inf: a finite number was expected");
   EXPECT_EQ(error("kind='matrices'\nmass=[[-inf]]"), "model.toml:2:8: entry (1,1) of 'mass' is -inf: a finite number was expected");
   EXPECT_EQ(error("kind='matrices'\nmass=[[nan]]"), "model.toml:2:8: entry (1,1) of 'mass' is nan: a finite number was expected");
   EXPECT_NE(error("kind='matrices'\nmass=[[1e999]]\nstiffness=[[1]]"), "(accepted)");
@@ -301,8 +323,10 @@ TEST_F(ModelToml, EntriesAreFinite) {
 TEST_F(ModelToml, MatrixFilesThatCannotBeRead) {
   const std::string start = "kind = 'matrices'\nmass = ";
   EXPECT_EQ(error(start + "'M.mtx'"), "model.toml:2:8: 'mass' names 'M.mtx', which does not exist: a Matrix Market file was expected");
-  EXPECT_EQ(error(start + "'no/where.mtx'"), "model.toml:2:8: 'mass' names 'no/where.mtx', which does not exist: a Matrix Market file was expected");
-  EXPECT_EQ(error(start + "'/no/where.mtx'"), "model.toml:2:8: 'mass' names '/no/where.mtx', which does not exist: a Matrix Market file was expected");
+  EXPECT_EQ(error(start + "'no/where.mtx'"),
+            "model.toml:2:8: 'mass' names 'no/where.mtx', which does not exist: a Matrix Market file was expected");
+  EXPECT_EQ(error(start + "'/no/where.mtx'"),
+            "model.toml:2:8: 'mass' names '/no/where.mtx', which does not exist: a Matrix Market file was expected");
   fs::create_directory(folder_ / "M.mtx");
   EXPECT_EQ(error(start + "'M.mtx'"), "M.mtx: is a directory: a Matrix Market file was expected");
   write("bad.mtx", "%%MatrixMarket matrix array real general\n1 1\nx\n");
@@ -339,21 +363,23 @@ TEST_F(ModelToml, ModelFilesThatCannotBeRead) {
 
 TEST_F(ModelToml, GarbageIsOneLineWithItsPlace) {
   EXPECT_EQ(error("kind = 'matrices'\nmass = [[1, 0\n").find("model.toml:2:"), 0u);
-  for (const std::string& text :
-       {std::string("kind = matrices"), std::string("kind"), std::string("= 1"), std::string("[known"), std::string("kind = 'a"), std::string("\xff\xfe"),
-        std::string("kind = 'matrices'\nkind = 'matrices'"), std::string("mass = [[1 0]]"), std::string("%%MatrixMarket matrix array real general\n1 1\n1\n"),
-        std::string("[)"), std::string("é = 1"), std::string("a = { b = { c = [ { d = ")}) {
+  for (const std::string& text : {std::string("kind = matrices"), std::string("kind"), std::string("= 1"), std::string("[known"),
+                                  std::string("kind = 'a"), std::string("\xff\xfe"), std::string("kind = 'matrices'\nkind = 'matrices'"),
+                                  std::string("mass = [[1 0]]"), std::string("%%MatrixMarket matrix array real general\n1 1\n1\n"),
+                                  std::string("[)"), std::string("é = 1"), std::string("a = { b = { c = [ { d = ")}) {
     const std::string message = error(text);
     EXPECT_EQ(message.find("model.toml:1:") == 0 || message.find("model.toml:2:") == 0, true) << message;
     EXPECT_NE(message.find(": is not TOML: "), std::string::npos) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
   EXPECT_EQ(error("kind='matrices'\nmass=[[{a=[[1]]}]]"), "model.toml:2:8: entry (1,1) of 'mass' is a table: a number was expected");
-  EXPECT_EQ(error("kind='matrices'\nmass.rows=[[1]]"), "model.toml:2:1: 'mass' is a table: a Matrix Market file or rows of numbers was expected");
+  EXPECT_EQ(error("kind='matrices'\nmass.rows=[[1]]"),
+            "model.toml:2:1: 'mass' is a table: a Matrix Market file or rows of numbers was expected");
   EXPECT_EQ(error("kind.of='matrices'").find("'kind' is a table: a string was expected") != std::string::npos, true);
 }
 
-// What nests without end is refused before anything is built of it: by parts of keys and of headers, by arrays, by inline tables, and by all of them together.
+// What nests without end is refused before anything is built of it: by parts of keys and of headers, by arrays, by
+// inline tables, and by all of them together.
 TEST_F(ModelToml, NestingHasAnEnd) {
   const auto dotted = [](int parts) {
     std::string key = "a";
@@ -378,11 +404,14 @@ TEST_F(ModelToml, NestingHasAnEnd) {
   EXPECT_NE(error("[" + dotted(30) + "]\n" + dotted(20) + " = {" + dotted(20) + " = 1}\n").find(beyond), std::string::npos);
   EXPECT_NE(error(times(40, "[" + dotted(20) + "]\n") + "x = " + times(5, "[{" + dotted(20) + "=")).find(beyond), std::string::npos);
   // Dots and brackets of strings and comments are none, whatever quotes they hold; and what is wide is not deep.
-  for (const std::string& text : {"# " + dotted(1000) + times(1000, "[") + "\n", "title = \"\\\"" + times(1000, "[") + "\"\n", "title = '\\" + std::string("'") + "\nreference = '" + dotted(1000) + "'\n",
-                                  "title = \"\"\"\n\"\" " + times(1000, "{\n") + "\"\"\"\"\"\n", "title = '''" + times(1000, "[") + "'''\n", "title = ''\nreference = \"\" # " + times(100, "[") + "\n"}) {
+  for (const std::string& text : {"# " + dotted(1000) + times(1000, "[") + "\n", "title = \"\\\"" + times(1000, "[") + "\"\n",
+                                  "title = '\\" + std::string("'") + "\nreference = '" + dotted(1000) + "'\n",
+                                  "title = \"\"\"\n\"\" " + times(1000, "{\n") + "\"\"\"\"\"\n", "title = '''" + times(1000, "[") + "'''\n",
+                                  "title = ''\nreference = \"\" # " + times(100, "[") + "\n"}) {
     EXPECT_EQ(error("kind = 'matrices'\n" + text + "mass = [[1]]\nstiffness = [[1]]\n"), "(accepted)") << text.substr(0, 40);
   }
-  EXPECT_EQ(error("kind = 'matrices'\nmass = [[1]]\nstiffness = [[1]]\n[known]\nfrequencies = [" + times(1000, "1.0, ") + "1.0]\n"), "(accepted)");
+  EXPECT_EQ(error("kind = 'matrices'\nmass = [[1]]\nstiffness = [[1]]\n[known]\nfrequencies = [" + times(1000, "1.0, ") + "1.0]\n"),
+            "(accepted)");
 }
 
 TEST_F(ModelToml, KnownTable) {
@@ -418,7 +447,9 @@ TEST_F(ModelToml, BrokenPromises) {
   const std::string start = "kind='matrices'\nmass=[[1,0],[0,1]]\nstiffness=[[1,0],[0,1]]\n";
   EXPECT_EQ(broken(start + "gyroscopic=[[0,3],[-2.5,0]]\n"),
             "G must satisfy G = −Gᵀ: entries (1,2) = 3 and (2,1) = -2.5 miss opposite signs by 0.5, 17 % of the largest entry");
-  EXPECT_EQ(broken("kind='matrices'\nmass=[[1,2],[0,1]]\nstiffness=[[1,0],[0,1]]\n").find("M must satisfy M = Mᵀ: entries (1,2) = 2 and (2,1) = 0 differ"), 0u);
+  EXPECT_EQ(broken("kind='matrices'\nmass=[[1,2],[0,1]]\nstiffness=[[1,0],[0,1]]\n")
+                .find("M must satisfy M = Mᵀ: entries (1,2) = 2 and (2,1) = 0 differ"),
+            0u);
   EXPECT_EQ(broken("kind='matrices'\nlabels=['a','b']\nmass=[[1,0],[0,-1]]\nstiffness=[[1,0],[0,1]]\n"),
             "M must be positive definite: diagonal entry (2,2) = -1 of coordinate 'b' is not above 0");
   EXPECT_NE(broken("kind='matrices'\nmass=[[1e-300,1e300],[1e300,1e-300]]\nstiffness=[[1,0],[0,1]]\n"), "(accepted)");
@@ -452,11 +483,14 @@ TEST_F(ModelToml, Sha256OfTheModelAndItsMatrices) {
 
 TEST_F(ModelToml, Sha256IsThatOfSha256sum) {
   // printf "kind='matrices'\nmass=[[1]]\nstiffness=[[1]]\n" | sha256sum
-  EXPECT_EQ(read("kind='matrices'\nmass=[[1]]\nstiffness=[[1]]\n").sha256, "73fd6080d87d573bc70ebe54857b596500040fe81be522644c6a1ae659d14e24");
+  EXPECT_EQ(read("kind='matrices'\nmass=[[1]]\nstiffness=[[1]]\n").sha256,
+            "73fd6080d87d573bc70ebe54857b596500040fe81be522644c6a1ae659d14e24");
   // The same of model, M, G, K, per-spin G, per-spin K: in the order of the laws, whatever that of the keys.
   for (const char* name : {"M", "K", "K2"}) write(std::string(name) + ".mtx", std::string(mtx_k) + "% " + name + "\n");
   for (const char* name : {"G", "G1"}) write(std::string(name) + ".mtx", std::string(mtx_g) + "% " + name + "\n");
-  const std::string text = "stiffness_per_spin2='K2.mtx'\ngyroscopic_per_spin='G1.mtx'\nstiffness='K.mtx'\ngyroscopic='G.mtx'\nmass='M.mtx'\nspin=1\nkind='matrices'\n";
+  const std::string text =
+      "stiffness_per_spin2='K2.mtx'\ngyroscopic_per_spin='G1.mtx'\nstiffness='K.mtx'\ngyroscopic='G.mtx'\nmass='M.mtx'\nspin=1\nkind='"
+      "matrices'\n";
   EXPECT_EQ(read(text).sha256, "cb1335f2cb033befdec91919888ae46eebc2cf54cb713c90ce1620603f18531b");
 }
 

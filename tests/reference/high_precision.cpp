@@ -33,7 +33,8 @@ const Real zero_threshold("1e-50");
 const Real null_threshold("1e-30");
 const Real cluster_threshold("1e-18");
 
-// ---- promises ----------------------------------------------------------------------------------------------------------------
+// ---- promises
+// ----------------------------------------------------------------------------------------------------------------
 
 void require(bool promise, const char* message) {
   if (!promise) throw InvalidArgument(std::string("gyromode::reference: ") + message);
@@ -41,8 +42,7 @@ void require(bool promise, const char* message) {
 
 void check(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, const Eigen::MatrixXd& K) {
   const Index n = M.rows();
-  require(M.cols() == n && G.rows() == n && G.cols() == n && K.rows() == n && K.cols() == n,
-          "M, G and K must be square and of one size");
+  require(M.cols() == n && G.rows() == n && G.cols() == n && K.rows() == n && K.cols() == n, "M, G and K must be square and of one size");
   require(M.allFinite() && G.allFinite() && K.allFinite(), "M, G and K must be finite");
   require(M == M.transpose(), "M must satisfy M = Mᵀ exactly");
   require(G == -G.transpose(), "G must satisfy G = −Gᵀ exactly");
@@ -61,7 +61,8 @@ Vector symmetric_eigenvalues(const Matrix& S) {
   return solver.eigenvalues();
 }
 
-// ---- Hermitian matrices as real symmetric ones of twice the size ---------------------------------------------------------------
+// ---- Hermitian matrices as real symmetric ones of twice the size
+// ---------------------------------------------------------------
 
 /// A + jB Hermitian (A = Aᵀ, B = −Bᵀ)  ↦  [A −B; B A], in which every eigenvalue appears twice.
 Matrix embedding(const Matrix& A, const Matrix& B) {
@@ -71,8 +72,8 @@ Matrix embedding(const Matrix& A, const Matrix& B) {
   return E;
 }
 
-/// Number of eigenvalues of S = Sᵀ below a bound ≠ 0: tridiagonalise, T = QᵀSQ, and count the negative pivots of the LDLᵀ of
-/// T − bound (Sturm). A pivot that is exactly zero is moved by far less than the bound.
+/// Number of eigenvalues of S = Sᵀ below a bound ≠ 0: tridiagonalise, T = QᵀSQ, and count the negative pivots of the
+/// LDLᵀ of T − bound (Sturm). A pivot that is exactly zero is moved by far less than the bound.
 int eigenvalues_below(const Real& bound, const Matrix& S) {
   const Real tiny = Real("1e-40") * abs(bound);
   const Eigen::Tridiagonalization<Matrix> T(S);
@@ -93,8 +94,7 @@ struct Impedance {
   Real scale;
 
   Impedance(const Matrix& M, const Matrix& G, const Matrix& K, const Real& w)
-      : H(embedding(K - w * w * M, w * G)),
-        scale(largest_entry(K) + w * w * largest_entry(M) + abs(w) * largest_entry(G)) {}
+      : H(embedding(K - w * w * M, w * G)), scale(largest_entry(K) + w * w * largest_entry(M) + abs(w) * largest_entry(G)) {}
 
   /// n₋(H); an eigenvalue within 1e-50 of zero is not negative.
   int negative_eigenvalues() const {
@@ -105,7 +105,8 @@ struct Impedance {
   }
 };
 
-// ---- the system in mass-normalised coordinates and its own unit of time ------------------------------------------------------
+// ---- the system in mass-normalised coordinates and its own unit of time
+// ------------------------------------------------------
 
 /// q' = Lᵀq, M = LLᵀ, and time in units of 1/rate:   k = L⁻¹KL⁻ᵀ/rate²,  g = L⁻¹GL⁻ᵀ/rate,  max(|k|, |g|) = 1,
 /// h(w) = k − w² + jwg,  λ = rate · (roots of k, g).
@@ -147,11 +148,12 @@ Matrix companion(const Normalised& s) {
   return A;
 }
 
-// ---- roots -------------------------------------------------------------------------------------------------------------------
+// ---- roots
+// -------------------------------------------------------------------------------------------------------------------
 
-/// The non-zero part of A. With Q = [Q₁ N], N an orthonormal basis of null A, QᵀAQ = [C 0; * 0]: the spectrum of A is that of
-/// C = Q₁ᵀAQ₁ and dim N zeros. Repeat until C is nonsingular; every zero is found, whatever its Jordan blocks. Pivots are compared
-/// with the entries of the first A, since a nilpotent C is nothing but rounding.
+/// The non-zero part of A. With Q = [Q₁ N], N an orthonormal basis of null A, QᵀAQ = [C 0; * 0]: the spectrum of A is
+/// that of C = Q₁ᵀAQ₁ and dim N zeros. Repeat until C is nonsingular; every zero is found, whatever its Jordan blocks.
+/// Pivots are compared with the entries of the first A, since a nilpotent C is nothing but rounding.
 Matrix without_zero_roots(Matrix A) {
   const Real zero = zero_threshold * largest_entry(A);
   while (A.rows() > 0) {
@@ -185,8 +187,9 @@ void append_squares(const Real& a, const Real& b, const Real& c, const Real& e, 
   }
 }
 
-/// QR on A + c: Eigen deflates when a subdiagonal entry is small beside its diagonal neighbours, and on the imaginary axis those
-/// vanish. At a defective root each step gains a few bits, instead of doubling the digits: hence the number of iterations.
+/// QR on A + c: Eigen deflates when a subdiagonal entry is small beside its diagonal neighbours, and on the imaginary
+/// axis those vanish. At a defective root each step gains a few bits, instead of doubling the digits: hence the number
+/// of iterations.
 Matrix real_schur_form(const Matrix& A) {
   const Matrix shift = Real(std::numbers::pi) * largest_entry(A) * Matrix::Identity(A.rows(), A.rows());
   Eigen::RealSchur<Matrix> schur(A.rows());
@@ -211,8 +214,8 @@ std::vector<Square> squared_roots(const Matrix& A) {
   return squares;
 }
 
-/// Roots λ² that are one root. The mean is accurate to working precision even where the members have split, being the trace on an
-/// invariant subspace.
+/// Roots λ² that are one root. The mean is accurate to working precision even where the members have split, being the
+/// trace on an invariant subspace.
 struct Cluster {
   Square mean;
   int multiplicity;  // of λ² as a root of det(λ²M + λG + K), a polynomial in λ²
@@ -249,13 +252,15 @@ std::vector<Cluster> clusters(std::vector<Square> squares) {
   return found;
 }
 
-// ---- energy signs ------------------------------------------------------------------------------------------------------------
+// ---- energy signs
+// ------------------------------------------------------------------------------------------------------------
 
 struct Signature {
   int positive = 0, negative = 0;
 };
 
-/// Orthonormal basis of the embedded null space of h(w); its dimension is 2 at a simple root, by definition, and otherwise decided.
+/// Orthonormal basis of the embedded null space of h(w); its dimension is 2 at a simple root, by definition, and
+/// otherwise decided.
 Matrix null_space(const Impedance& h, int multiplicity) {
   const Eigen::ColPivHouseholderQR<Matrix> qr(h.H);  // H = Hᵀ: null H = (range H)^⊥
   const Vector pivots = qr.matrixQR().diagonal().cwiseAbs();
@@ -265,8 +270,8 @@ Matrix null_space(const Impedance& h, int multiplicity) {
   return Matrix(qr.householderQ()).rightCols(dimension);
 }
 
-/// Signature of Xᴴ(2w − jg)X = −d(XᴴhX)/dw on null h(w). Jordan blocks of size > 1 have isotropic eigenvectors and add nothing, so
-/// positive + negative = multiplicity iff the root is semisimple.
+/// Signature of Xᴴ(2w − jg)X = −d(XᴴhX)/dw on null h(w). Jordan blocks of size > 1 have isotropic eigenvectors and add
+/// nothing, so positive + negative = multiplicity iff the root is semisimple.
 Signature energy_signature(const Normalised& s, const Real& w, int multiplicity) {
   const Matrix N = null_space(s.impedance(w), multiplicity);
   const Matrix form = N.transpose() * embedding(2 * w * s.one(), -s.g) * N;
@@ -286,8 +291,8 @@ struct AxisRoot {
   bool coinciding_opposites() const { return defect() > 0 || (energy.positive > 0 && energy.negative > 0); }
 };
 
-/// (T9) on each side of each root: n₋(h) rises by (positive − negative). A Jordan block changes it by 0 (even size) or ±1 (odd size,
-/// hence ≥ 3).
+/// (T9) on each side of each root: n₋(h) rises by (positive − negative). A Jordan block changes it by 0 (even size) or
+/// ±1 (odd size, hence ≥ 3).
 void verify_by_counting(const Normalised& s, const std::vector<AxisRoot>& roots) {
   if (roots.empty()) return;
   int below = s.count(roots.front().w / 2);
@@ -301,14 +306,15 @@ void verify_by_counting(const Normalised& s, const std::vector<AxisRoot>& roots)
   }
 }
 
-// ---- the sorted spectrum, in units of rate -----------------------------------------------------------------------------------
+// ---- the sorted spectrum, in units of rate
+// -----------------------------------------------------------------------------------
 
 struct Roots {
   int zeros = 0;
-  std::vector<AxisRoot> axis;                   // λ = ±jw
-  std::vector<Real> divergence;                 // λ = ±σ
-  std::vector<std::pair<Real, Real>> flutter;   // λ = ±σ ± jω
-  Real largest = 0;                             // max|λ|
+  std::vector<AxisRoot> axis;                  // λ = ±jw
+  std::vector<Real> divergence;                // λ = ±σ
+  std::vector<std::pair<Real, Real>> flutter;  // λ = ±σ ± jω
+  Real largest = 0;                            // max|λ|
 };
 
 /// √(re + j im) = σ + jω, im > 0, without cancellation: the larger part from the modulus, the smaller from 2σω = im.
@@ -317,8 +323,8 @@ std::pair<Real, Real> square_root(const Square& z) {
   return z.re >= 0 ? std::pair(major, minor) : std::pair(minor, major);
 }
 
-/// By symmetry: λ² < 0 is a pair on the axis, λ² > 0 a real pair, λ² complex (with its conjugate) a quadruple. A cluster is real iff
-/// it holds its conjugate.
+/// By symmetry: λ² < 0 is a pair on the axis, λ² > 0 a real pair, λ² complex (with its conjugate) a quadruple. A
+/// cluster is real iff it holds its conjugate.
 void classify(const Normalised& s, const Cluster& c, Roots& roots) {
   roots.largest = std::max<Real>(roots.largest, sqrt(modulus(c.mean)));
   const bool real = coincide(c.mean, {c.mean.re, -c.mean.im});
@@ -344,7 +350,8 @@ Roots all_roots(const Normalised& s) {
   return roots;
 }
 
-// ---- verdict and distance ----------------------------------------------------------------------------------------------------
+// ---- verdict and distance
+// ----------------------------------------------------------------------------------------------------
 
 Spectrum::Verdict verdict(const Spectrum& result, const Roots& roots) {
   using enum Spectrum::Verdict;

@@ -4,8 +4,8 @@
 //
 //     M q'' + G q' + K q = 0,   M = Mᵀ > 0,  G = −Gᵀ,  K = Kᵀ,   q = X e^{λt},   H(ω) = K − ω²M + jωG   (λ = jω)
 //
-// The doubles of M, G, K are taken as exact. Structure (what is zero, multiple, defective, on the axis) is decided in high
-// precision; only the numbers returned are rounded to double. Meant for n ≤ 12. Shares no code with lib/.
+// The doubles of M, G, K are taken as exact. Structure (what is zero, multiple, defective, on the axis) is decided in
+// high precision; only the numbers returned are rounded to double. Meant for n ≤ 12. Shares no code with lib/.
 //
 // How far apart "equal" and "different" are, everything relative:
 //
@@ -24,10 +24,10 @@
 namespace gyromode::reference {
 
 struct Spectrum {
-  /// stable: K ≥ 0.
-  /// gyroscopically_stabilised: n₋(K) > 0, every root on the axis, non-zero and semisimple, no coinciding roots of opposite sign.
-  /// unstable: some root has Re λ > 0 (divergence or flutter). It takes precedence over marginal.
-  /// marginal: n₋(K) > 0, no root off the axis, but a root 0, a defective root or coinciding roots of opposite sign.
+  /// stable: K ≥ 0. gyroscopically_stabilised: n₋(K) > 0, every root on the axis, non-zero and semisimple, no
+  /// coinciding roots of opposite sign. unstable: some root has Re λ > 0 (divergence or flutter). It takes precedence
+  /// over marginal. marginal: n₋(K) > 0, no root off the axis, but a root 0, a defective root or coinciding roots of
+  /// opposite sign.
   enum class Verdict { stable, gyroscopically_stabilised, marginal, unstable };
 
   int zero_roots = 0;                              ///< algebraic multiplicity of λ = 0 (of the 2n roots)
@@ -43,8 +43,8 @@ struct Spectrum {
   ///   (a) the gap between neighbouring roots jω of opposite sign / max|λ|  (0 at a defective root),
   ///   (b) Re λ of each unstable root / max|λ|,
   ///   (c) min|κ| / max|κ| over the non-zero eigenvalues κ of K  (1 if K = 0).
-  /// K ≥ 0 leaves (c) alone. These are distances of roots: a defective double root opens by the square root of a perturbation, so
-  /// (a) or (b) = 1e-8 is a change of 1e-16 in the matrices.
+  /// K ≥ 0 leaves (c) alone. These are distances of roots: a defective double root opens by the square root of a
+  /// perturbation, so (a) or (b) = 1e-8 is a change of 1e-16 in the matrices.
   double distance = 1;
 };
 
@@ -52,8 +52,8 @@ struct Spectrum {
 /// K = Kᵀ; std::logic_error if the roots found contradict the inertia counts of H (a fault of the twin).
 Spectrum spectrum(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, const Eigen::MatrixXd& K);
 
-/// n₋(K − ω²M + jωG) for real ω. An eigenvalue of H within 1e-50 (‖K‖ + ω²‖M‖ + |ω|‖G‖) of zero is not counted. Same promises on M, G, K, but
-/// M may be indefinite.
+/// n₋(K − ω²M + jωG) for real ω. An eigenvalue of H within 1e-50 (‖K‖ + ω²‖M‖ + |ω|‖G‖) of zero is not counted. Same
+/// promises on M, G, K, but M may be indefinite.
 int negative_eigenvalues_of_impedance(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, const Eigen::MatrixXd& K, double omega);
 
 }  // namespace gyromode::reference

@@ -60,7 +60,8 @@ State exact_state(const System& s, const State& initial, const Vector& force, do
   State w{Vector(n), Vector(n)};
   for (Index i = 0; i < n; ++i) {
     for (Index k : {i, n + i}) {
-      if (arb_rel_accuracy_bits(y.at(k, 0)) < 60 && !arb_contains_zero(y.at(k, 0))) throw std::runtime_error("ball arithmetic lost its digits");
+      if (arb_rel_accuracy_bits(y.at(k, 0)) < 60 && !arb_contains_zero(y.at(k, 0)))
+        throw std::runtime_error("ball arithmetic lost its digits");
     }
     w.q(i) = arf_get_d(arb_midref(y.at(i, 0)), ARF_RND_NEAR);
     w.qdot(i) = arf_get_d(arb_midref(y.at(n + i, 0)), ARF_RND_NEAR);

@@ -1,4 +1,5 @@
-// The high-precision twin against closed forms: published.md (A1, A11, B1–B4), rigid bodies, defective roots made of integers.
+// The high-precision twin against closed forms: published.md (A1, A11, B1–B4), rigid bodies, defective roots made of
+// integers.
 
 #include "spectrum_checks.h"
 
@@ -54,7 +55,8 @@ Values in_hertz(Values omega) {
   return omega;
 }
 
-// ---- B1: rotating frame, spectrum { |ω_k − Ω|, ω_k + Ω } ---------------------------------------------------------------------
+// ---- B1: rotating frame, spectrum { |ω_k − Ω|, ω_k + Ω }
+// ---------------------------------------------------------------------
 
 /// ω_k = 1, 2, 3 in coordinates changed by an integer S, so that every entry is exact.
 struct RotatingFrame {
@@ -111,7 +113,8 @@ TEST(HighPrecision, B1CriticalSpeedHasSemisimpleZero) {
   EXPECT_EQ(lowest.verdict, stable);
 }
 
-// ---- B2: unequal transverse stiffness -----------------------------------------------------------------------------------------
+// ---- B2: unequal transverse stiffness
+// -----------------------------------------------------------------------------------------
 
 Spectrum unequal_shaft(double spin) {
   return spectrum(MatrixXd::Identity(2, 2), 2 * spin * J, diagonal({1 - spin * spin, 2.25 - spin * spin}));
@@ -132,8 +135,9 @@ TEST(HighPrecision, B2UnequalShaft) {
   EXPECT_EQ(fast.verdict, gyroscopically_stabilised);
 }
 
-// ---- B3: stabilisation threshold, K = −diag(1, 4), G = gJ ---------------------------------------------------------------------
-// ω = (√(g² − 1) ± √(g² − 9))/2 for g > 3,   λ = ±√(9 − g²)/2 ± j√(g² − 1)/2 for 1 < g < 3
+// ---- B3: stabilisation threshold, K = −diag(1, 4), G = gJ
+// --------------------------------------------------------------------- ω = (√(g² − 1) ± √(g² − 9))/2 for g > 3, λ =
+// ±√(9 − g²)/2 ± j√(g² − 1)/2 for 1 < g < 3
 
 Spectrum top(double g) { return spectrum(MatrixXd::Identity(2, 2), g * J, diagonal({-1, -4})); }
 
@@ -192,7 +196,8 @@ TEST(HighPrecision, B3TwoThresholdsAndAnOscillator) {
   EXPECT_EQ(mixed.verdict, marginal);
 }
 
-// ---- B4: free rigid body, ω = Ω and Ω√((C−A)(C−B)/(AB)) -----------------------------------------------------------------------
+// ---- B4: free rigid body, ω = Ω and Ω√((C−A)(C−B)/(AB))
+// -----------------------------------------------------------------------
 
 Spectrum rigid_body(double A, double B, double C, double spin = 1) {
   return spectrum(diagonal({A, B}), (A + B - C) * spin * J, diagonal({spin * spin * (C - B), spin * spin * (C - A)}));
@@ -230,7 +235,8 @@ TEST(HighPrecision, B4AxisymmetricMajorAndDegenerate) {
   EXPECT_EQ(sphere.distance, 1);
 }
 
-// ---- A1: rotating mass on springs -----------------------------------------------------------------------------------------------
+// ---- A1: rotating mass on springs
+// -----------------------------------------------------------------------------------------------
 
 Spectrum rotating_mass(double rpm) {
   const double m = 0.2, spin = rpm * 2 * pi / 60, softening = m * spin * spin;
@@ -262,7 +268,8 @@ TEST(HighPrecision, A1BothThresholds) {
   EXPECT_LT(rotating_mass(4270.58).distance, 1e-5);
 }
 
-// ---- A11: wiresaw ---------------------------------------------------------------------------------------------------------------
+// ---- A11: wiresaw
+// ---------------------------------------------------------------------------------------------------------------
 
 struct Wiresaw {
   MatrixXd M, G, K;
@@ -303,9 +310,8 @@ TEST(HighPrecision, A11InvariantsAtSix) {
 TEST(HighPrecision, A11SpuriousFlutterAboveTheCriticalSpeed) {
   const Spectrum s = Wiresaw(10, 1.5).solve();
   const auto near = [&](double sigma, double omega) {
-    return std::any_of(s.flutter.begin(), s.flutter.end(), [&](const auto& f) {
-      return std::abs(f.first - sigma) < 1e-6 && std::abs(f.second - omega) < 1e-6;
-    });
+    return std::any_of(s.flutter.begin(), s.flutter.end(),
+                       [&](const auto& f) { return std::abs(f.first - sigma) < 1e-6 && std::abs(f.second - omega) < 1e-6; });
   };
   EXPECT_TRUE(near(5.675294, 13.946173));
   EXPECT_TRUE(near(9.908271, 4.464646));
@@ -313,7 +319,8 @@ TEST(HighPrecision, A11SpuriousFlutterAboveTheCriticalSpeed) {
   expect_complete(s, 10);
 }
 
-// ---- K singular: rigid modes and the root 0 -------------------------------------------------------------------------------------
+// ---- K singular: rigid modes and the root 0
+// -------------------------------------------------------------------------------------
 
 /// Laplacian of a free-free chain of unit springs, eigenvalues 4 sin²(jπ/2n), j = 0 … n−1.
 MatrixXd chain(Index n) {
@@ -337,7 +344,8 @@ TEST(HighPrecision, FreeChainAtRest) {
 }
 
 TEST(HighPrecision, FreeChainInMagneticField) {
-  // x and y chains, G = gJ ⊗ 1. Whirl of chain mode κ: ω² ± gω − κ = 0. Translation: ω = g, and a drift 2(r − s) = 2(2 − 1).
+  // x and y chains, G = gJ ⊗ 1. Whirl of chain mode κ: ω² ± gω − κ = 0. Translation: ω = g, and a drift 2(r − s) = 2(2
+  // − 1).
   const double g = 0.7;
   const MatrixXd one = MatrixXd::Identity(5, 5);
   const Spectrum s = spectrum(MatrixXd::Identity(10, 10), kron(g * J, one), kron(MatrixXd::Identity(2, 2), chain(5)));
@@ -355,8 +363,8 @@ TEST(HighPrecision, FreeChainInMagneticField) {
 
 TEST(HighPrecision, FreeChainWithOneNegativeSpring) {
   const MatrixXd K = chain(5) - 3 * diagonal({0, 0, 0, 0, 1});
-  const Spectrum free = spectrum(MatrixXd::Identity(6, 6), MatrixXd::Zero(6, 6), (MatrixXd(6, 6) << K, MatrixXd::Zero(5, 1),
-                                                                                  MatrixXd::Zero(1, 6)).finished());
+  const Spectrum free = spectrum(MatrixXd::Identity(6, 6), MatrixXd::Zero(6, 6),
+                                 (MatrixXd(6, 6) << K, MatrixXd::Zero(5, 1), MatrixXd::Zero(1, 6)).finished());
   EXPECT_EQ(free.zero_roots, 2);
   EXPECT_EQ(free.negative_stiffness, 1);
   EXPECT_EQ(free.verdict, unstable);
@@ -384,8 +392,8 @@ TEST(HighPrecision, NothingButZeros) {
 }
 
 TEST(HighPrecision, JordanBlockOfSizeThree) {
-  // det(λ²M + λG + K) = 1350 (λ² + 1)³ with dim null H(1) = 1: an odd block, so n₋(H) jumps by one
-  // though its only eigenvector has no energy. (q₁ coupled to two others; partial fractions of (μ + 1)³/((μ − 2)(μ + ½)).)
+  // det(λ²M + λG + K) = 1350 (λ² + 1)³ with dim null H(1) = 1: an odd block, so n₋(H) jumps by one though its only
+  // eigenvector has no energy. (q₁ coupled to two others; partial fractions of (μ + 1)³/((μ − 2)(μ + ½)).)
   MatrixXd G = MatrixXd::Zero(3, 3);
   G(0, 1) = 27, G(1, 0) = -27, G(0, 2) = 1, G(2, 0) = -1;
   const MatrixXd M = diagonal({1, 135, 10}), K = diagonal({-1, -270, 5});

@@ -1,4 +1,5 @@
-// The high-precision twin against the counting theorems (T9), (T10), (T12), trace and determinant on random systems; and what it refuses.
+// The high-precision twin against the counting theorems (T9), (T10), (T12), trace and determinant on random systems;
+// and what it refuses.
 
 #include "spectrum_checks.h"
 
@@ -24,7 +25,8 @@ using Eigen::VectorXd;
 
 const MatrixXd J = (MatrixXd(2, 2) << 0, -1, 1, 0).finished();
 
-// ---- random systems -------------------------------------------------------------------------------------------------------------
+// ---- random systems
+// -------------------------------------------------------------------------------------------------------------
 
 struct RandomSystem {
   MatrixXd M, G, K;
@@ -137,8 +139,7 @@ TEST(HighPrecision, IndexBalanceWithSingularStiffness) {
     EXPECT_EQ(s.zero_stiffness, forms.r);
     EXPECT_EQ(s.zero_roots, 2 * (forms.r - forms.s));
     if (std::count(s.energy_sign.begin(), s.energy_sign.end(), 0) > 0) continue;  // defective: (T12) does not apply
-    EXPECT_EQ(s.negative_stiffness,
-              static_cast<int>(s.divergence.size() + 2 * s.flutter.size()) + 2 * negatives(s) + forms.negative);
+    EXPECT_EQ(s.negative_stiffness, static_cast<int>(s.divergence.size() + 2 * s.flutter.size()) + 2 * negatives(s) + forms.negative);
     ++tested;
     with_negative_F += forms.negative > 0;
   }
@@ -146,7 +147,8 @@ TEST(HighPrecision, IndexBalanceWithSingularStiffness) {
   EXPECT_GT(with_negative_F, 5);
 }
 
-// ---- broken promises ------------------------------------------------------------------------------------------------------------
+// ---- broken promises
+// ------------------------------------------------------------------------------------------------------------
 
 void expect_refusal(const MatrixXd& M, const MatrixXd& G, const MatrixXd& K, const std::string& reason) {
   try {

@@ -1,4 +1,5 @@
-// Blocks rest on what an impedance states of itself, not on samples of it: a coupling that vanishes at any frequencies one may think of is one all the same.
+// Blocks rest on what an impedance states of itself, not on samples of it: a coupling that vanishes at any frequencies
+// one may think of is one all the same.
 #include "gyromode/roots/certified_roots.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Divergence and negative energy of q̈ + g [0 −1; 1 0] q̇ + diag(k₁, k₂) q = 0, whose λ² are the roots of x² + (g² + k₁ + k₂) x + k₁k₂.
+// Divergence and negative energy of q̈ + g [0 −1; 1 0] q̇ + diag(k₁, k₂) q = 0, whose λ² are the roots of x² + (g² + k₁ +
+// k₂) x + k₁k₂.
 #include "gyromode/roots/certified_roots.h"
 #include "gyromode/roots/negative_energy.h"
 
@@ -68,7 +69,8 @@ TEST(Growing, NegativeEnergyHoweverSlow) {
     EXPECT_TRUE(roots.growing().empty());
     ASSERT_EQ(roots.negative_energy().size(), 1u) << k;
     const double middle = 0.5 * (9 - k - 0.5), x = 0.5 * k / (middle + std::sqrt(middle * middle - 0.5 * k));
-    EXPECT_NEAR(roots.negative_energy()[0].omega, std::sqrt(x), (1e-14 + 64 * std::numeric_limits<double>::epsilon() / k) * std::sqrt(x)) << k;
+    EXPECT_NEAR(roots.negative_energy()[0].omega, std::sqrt(x), (1e-14 + 64 * std::numeric_limits<double>::epsilon() / k) * std::sqrt(x))
+        << k;
     EXPECT_EQ(roots.between(0, 10).roots.size(), 2u);
   }
 }
@@ -78,7 +80,9 @@ TEST(Growing, FlutterNeedsASeed) {
   const OnAHill h(2, -1, -4);  // |√4 − √1| < g < √4 + √1
   EXPECT_FALSE(roots_of(h).closed());
   const double growth = 0.5 * std::sqrt(9 - 4.0), omega = std::sqrt(2 - growth * growth);
-  const CertifiedRoots roots(h, {}, {}, 0, [&](Index attempt) { return attempt == 0 ? std::optional(Seeds{{}, {Complex(1.02 * growth, 0.97 * omega)}}) : std::nullopt; });
+  const CertifiedRoots roots(h, {}, {}, 0, [&](Index attempt) {
+    return attempt == 0 ? std::optional(Seeds{{}, {Complex(1.02 * growth, 0.97 * omega)}}) : std::nullopt;
+  });
   EXPECT_TRUE(roots.closed());
   EXPECT_TRUE(roots.asked_for_seeds());
   ASSERT_EQ(roots.growing().size(), 1u);

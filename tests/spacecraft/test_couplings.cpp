@@ -1,4 +1,5 @@
-// What parts state of their couplings against their matrices: what is not stated is exactly zero at any frequency, and what is stated is there.
+// What parts state of their couplings against their matrices: what is not stated is exactly zero at any frequency, and
+// what is stated is there.
 #include "support/random_spacecraft.h"
 
 #include "gyromode/roots/blocks.h"
@@ -40,7 +41,8 @@ Worst compared(const SpacecraftImpedance& impedance, std::uint64_t seed) {
     for (Index i = 0; i < n; ++i) {
       const Index first = couplings.first_of_equals(i);
       const auto s = static_cast<std::size_t>(i), f = static_cast<std::size_t>(first);
-      w.equal = w.equal && h(i, i) == h(first, first) && lifted.poles_below[s] == lifted.poles_below[f] && continued(i, i) == continued(first, first);
+      w.equal = w.equal && h(i, i) == h(first, first) && lifted.poles_below[s] == lifted.poles_below[f] &&
+                continued(i, i) == continued(first, first);
       for (Index j = 0; j < n; ++j) {
         if (i == j) continue;
         const bool p = couplings.meet(i, j, CouplingKind::in_phase), c = couplings.meet(i, j, CouplingKind::cross);
@@ -101,12 +103,14 @@ TEST(Couplings, Blocks) {
   const auto blocks = [](const Spacecraft& s) { return blocks_of(SpacecraftImpedance(s)); };
   const Body body{100, Eigen::Vector3d(90, 110, 150).asDiagonal()};
   EXPECT_EQ(blocks(Spacecraft(1, body)).size(), 5u);  // ξ1, ξ2, ξ3, φ3 by themselves, and θ1 with θ2
-  // Wires through the mass centre, whatever rounding makes of their height: translation, nutation, spin, axial motion, and one pattern in plane and one out of it without the body.
+  // Wires through the mass centre, whatever rounding makes of their height: translation, nutation, spin, axial motion,
+  // and one pattern in plane and one out of it without the body.
   for (const double far : {0.0, 1e3}) {
     std::vector<Cable> ring;
     for (const double degrees : {0, 90, 180, 270}) ring.push_back({degrees * pi / 180, 0.9, 0.1, 40, 1.1e-3, 0.12});
     const double mass = 4 * ring[0].mass();
-    const std::vector<SpringMass> balance{{{0, 0, 0.1 + 100 * 0.1 / 3 + far}, 3, {rigid, rigid, rigid}}, {{0, 0, 0.1 - far}, 3, {rigid, rigid, rigid}}};
+    const std::vector<SpringMass> balance{{{0, 0, 0.1 + 100 * 0.1 / 3 + far}, 3, {rigid, rigid, rigid}},
+                                          {{0, 0, 0.1 - far}, 3, {rigid, rigid, rigid}}};
     const Spacecraft s(1, body, ring, {}, balance);
     EXPECT_NEAR(s.centre(), 0.1, 1e-12) << mass;
     EXPECT_EQ(blocks(s).size(), 6u) << far;

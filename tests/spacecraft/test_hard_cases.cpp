@@ -1,4 +1,5 @@
-// Cases that a hostile reader found: brackets that end on another root, stiff and light springs, windows that end on a mode, counts at the poles of beams, shapes at the spin itself.
+// Cases that a hostile reader found: brackets that end on another root, stiff and light springs, windows that end on a
+// mode, counts at the poles of beams, shapes at the spin itself.
 #include "gyromode/base/error.h"
 #include "gyromode/modes/discrete.h"
 #include "gyromode/modes/spacecraft.h"
@@ -23,9 +24,11 @@ ModesResult below(const Spacecraft& s, double omega) {
   return find_modes(s, options);
 }
 
-// In one block a pattern of the wires on the axis has the eigenvalue 0 at ω = 0, where the bracket of the next root begins.
+// In one block a pattern of the wires on the axis has the eigenvalue 0 at ω = 0, where the bracket of the next root
+// begins.
 TEST(HardCases, WiresOnTheAxisBesideWiresOffIt) {
-  const Spacecraft s(1, body, {{0.5 * pi, 0, 0, 20, 0.01, 0}, {1.5 * pi, 0, 0, 20, 0.01, 0}, {0, 1e-3, 0, 20, 0.01, 0}, {pi, 1e-3, 0, 20, 0.01, 0}});
+  const Spacecraft s(1, body,
+                     {{0.5 * pi, 0, 0, 20, 0.01, 0}, {1.5 * pi, 0, 0, 20, 0.01, 0}, {0, 1e-3, 0, 20, 0.01, 0}, {pi, 1e-3, 0, 20, 0.01, 0}});
   const ModesResult r = below(s, 0.03);
   EXPECT_EQ(r.coverage.status, CoverageStatus::complete);
   ASSERT_EQ(r.modes.size(), 4u);
@@ -71,7 +74,8 @@ TEST(HardCases, WindowsThatEndOnAMode) {
   const ModesResult all = below(s, 9);
   for (const Mode& m : all.modes) {
     if (m.omega == 0) continue;
-    for (const double end : {m.omega, std::nextafter(m.omega, 0), std::nextafter(m.omega, 10), m.omega * (1 + 1e-15), m.omega * (1 - 3e-15)}) {
+    for (const double end :
+         {m.omega, std::nextafter(m.omega, 0), std::nextafter(m.omega, 10), m.omega * (1 + 1e-15), m.omega * (1 - 3e-15)}) {
       const ModesResult upto = below(s, end);
       EXPECT_EQ(upto.coverage.status, CoverageStatus::complete) << upto.coverage.reason;
       const CountResult count = count_modes(s, {0, end});
@@ -128,7 +132,8 @@ TEST(HardCases, DiscreteListsWhatExactLists) {
   }
 }
 
-// The middle of the window is a mode of negative energy, and one of positive energy is beside it: on it the count is one of two, and each root has to stay where it is.
+// The middle of the window is a mode of negative energy, and one of positive energy is beside it: on it the count is
+// one of two, and each root has to stay where it is.
 TEST(HardCases, WindowsAroundAModeOfNegativeEnergy) {
   constexpr double rigid = std::numeric_limits<double>::infinity();
   for (const double spin : {4.905717, 4.905718, 4.90572, 4.905722, 4.90573, 4.906, 4.91}) {
@@ -149,8 +154,9 @@ TEST(HardCases, WindowsAroundAModeOfNegativeEnergy) {
         for (const Mode& other : all.modes) expected += options.window.contains(other.omega) ? 1 : 0;
         ASSERT_EQ(some.modes.size(), expected);
         for (const Mode& found : some.modes) {
-          EXPECT_TRUE(std::any_of(all.modes.begin(), all.modes.end(),
-                                  [&](const Mode& o) { return o.energy_sign == found.energy_sign && std::abs(o.omega - found.omega) <= 1e-11 * o.omega; }))
+          EXPECT_TRUE(std::any_of(
+              all.modes.begin(), all.modes.end(),
+              [&](const Mode& o) { return o.energy_sign == found.energy_sign && std::abs(o.omega - found.omega) <= 1e-11 * o.omega; }))
               << spin << ", " << found.omega;
         }
       }

@@ -1,4 +1,5 @@
-// Where booms degenerate: no radius, no tip mass, equal stiffnesses, equal booms; high frequencies; modes at poles and pairs that nearly coincide. None is lost, none loses digits.
+// Where booms degenerate: no radius, no tip mass, equal stiffnesses, equal booms; high frequencies; modes at poles and
+// pairs that nearly coincide. None is lost, none loses digits.
 #include "gyromode/appendage/hub_impedance.h"
 #include "gyromode/modes/effective_axes.h"
 #include "gyromode/modes/spacecraft_spectrum.h"
@@ -44,7 +45,8 @@ std::vector<double> locals(const std::vector<Mode>& all) {
   return omega;
 }
 
-// Wires hinged on the axis: patterns that leave the body at rest have the closed-form frequencies Ω√(n(2n − 1)) out of plane and Ω√(n(2n − 1) − 1) in plane, degrees ν = 2n − 1 up to 300.
+// Wires hinged on the axis: patterns that leave the body at rest have the closed-form frequencies Ω√(n(2n − 1)) out of
+// plane and Ω√(n(2n − 1) − 1) in plane, degrees ν = 2n − 1 up to 300.
 TEST(Limits, WiresOnTheAxisToDegreeThreeHundred) {
   const Spacecraft s(spin, body, ring(4, 0, 0, 0));
   const std::vector<Mode> all = modes(s, 212);
@@ -61,7 +63,8 @@ TEST(Limits, WiresOnTheAxisToDegreeThreeHundred) {
   const std::vector<double> found = locals(all);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-13 * expected[i]) << i;
-  // Zero modes: spin, axial translation, and the two patterns that turn about the axis and leave the mass centre at rest.
+  // Zero modes: spin, axial translation, and the two patterns that turn about the axis and leave the mass centre at
+  // rest.
   EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const Mode& m) { return m.omega == 0; }), 4);
 }
 
@@ -90,7 +93,8 @@ TEST(Limits, TipMassToZero) {
   for (const double tip : {1e-12, 1e-16, 1e-25}) {
     const std::vector<Mode> some = modes(Spacecraft(spin, body, ring(2, 0.5, 0.1, tip)), 20);
     ASSERT_EQ(some.size(), none.size());
-    for (std::size_t i = 0; i < some.size(); ++i) EXPECT_NEAR(some[i].omega, none[i].omega, (1e5 * tip + 3e-14) * none[i].omega) << tip << " " << i;
+    for (std::size_t i = 0; i < some.size(); ++i)
+      EXPECT_NEAR(some[i].omega, none[i].omega, (1e5 * tip + 3e-14) * none[i].omega) << tip << " " << i;
   }
 }
 
@@ -106,7 +110,8 @@ TEST(Limits, EqualBendingStiffnesses) {
   }
 }
 
-// Two rings, detuned by 1e-9: patterns apart from the body come in pairs 1e-9 or less apart. Both of each pair are there, told apart.
+// Two rings, detuned by 1e-9: patterns apart from the body come in pairs 1e-9 or less apart. Both of each pair are
+// there, told apart.
 TEST(Limits, PairsATrillionthApart) {
   for (const double off : {1e-6, 1e-9, 1e-12}) {
     std::vector<Cable> wires = ring(4, 0.5, 0, 0.05);
@@ -114,10 +119,12 @@ TEST(Limits, PairsATrillionthApart) {
     for (Cable& c : others) c.length *= 1 + off;
     wires.insert(wires.end(), others.begin(), others.end());
     const std::vector<Mode> all = modes(Spacecraft(spin, body, wires), 5);
-    // Equal wires would be one group of eight; local patterns there: five in plane and five out of plane at each frequency.
+    // Equal wires would be one group of eight; local patterns there: five in plane and five out of plane at each
+    // frequency.
     const std::vector<Mode> equal = modes(Spacecraft(spin, body, ring(8, 0.5, 0, 0.05)), 5);
     ASSERT_EQ(all.size(), equal.size()) << off;
-    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_NEAR(all[i].omega, equal[i].omega, (4 * off + 1e-13) * equal[i].omega) << off << " " << i;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      EXPECT_NEAR(all[i].omega, equal[i].omega, (4 * off + 1e-13) * equal[i].omega) << off << " " << i;
     std::size_t apart = 0;
     for (std::size_t i = 1; i < all.size(); ++i) {
       const double distance = all[i].omega / all[i - 1].omega - 1;
@@ -127,7 +134,8 @@ TEST(Limits, PairsATrillionthApart) {
   }
 }
 
-// A heavy body hardly moves: modes are beside the poles of the wires, to within rounding of each other, and still one for each.
+// A heavy body hardly moves: modes are beside the poles of the wires, to within rounding of each other, and still one
+// for each.
 TEST(Limits, ModesAtPoles) {
   for (const double weight : {1e3, 1e6, 1e9, 1e12}) {
     const Body heavy{300 * weight, weight * Eigen::Vector3d(100, 120, 180).asDiagonal()};
@@ -139,7 +147,8 @@ TEST(Limits, ModesAtPoles) {
   }
 }
 
-// Rigid body alone: nutation Ω√((J33 − J11)(J33 − J22)/(J11 J22)), of negative energy for the least inertia, divergent for the middle one.
+// Rigid body alone: nutation Ω√((J33 − J11)(J33 − J22)/(J11 J22)), of negative energy for the least inertia, divergent
+// for the middle one.
 TEST(Limits, RigidBody) {
   const auto result = [](double a, double b, double c) {
     ModesOptions options;
@@ -174,11 +183,13 @@ TEST(Limits, RigidBody) {
   }
 }
 
-// Booms on a body that only spins: wires on the axis by their closed form, an axisymmetric boom at its cantilever frequencies ± Ω, a mass on springs at √(k/m) ± Ω.
+// Booms on a body that only spins: wires on the axis by their closed form, an axisymmetric boom at its cantilever
+// frequencies ± Ω, a mass on springs at √(k/m) ± Ω.
 TEST(Limits, HeldBooms) {
   std::vector<Cable> wires = ring(2, 0, 0.1, 0);
   const double l = 6, density = 0.1, stiffness = 30;
-  const Spacecraft s(spin, body, wires, {{0.4, true, l, density, {stiffness, stiffness}, 0}}, {{{0, 0, 1}, 2, {50, 50, std::numeric_limits<double>::infinity()}}});
+  const Spacecraft s(spin, body, wires, {{0.4, true, l, density, {stiffness, stiffness}, 0}},
+                     {{{0, 0, 1}, 2, {50, 50, std::numeric_limits<double>::infinity()}}});
   const std::vector<ClampedBoom> booms = clamped_booms(s, 4);
   ASSERT_EQ(booms.size(), 4u);
   EXPECT_EQ(booms[0].name, "cables 1, 2, in plane");
@@ -190,7 +201,8 @@ TEST(Limits, HeldBooms) {
     const double m = static_cast<double>(n);
     EXPECT_NEAR(booms[0].frequencies[n - 1 - (booms[0].frequencies[0] > 0.1 ? 1 : 0)], spin * std::sqrt(m * (2 * m - 1) - 1), 1e-13) << n;
   }
-  const double first = std::pow(1.8751040687119611 / l, 2) * std::sqrt(stiffness / density), second = std::pow(4.6940911329741746 / l, 2) * std::sqrt(stiffness / density);
+  const double first = std::pow(1.8751040687119611 / l, 2) * std::sqrt(stiffness / density),
+               second = std::pow(4.6940911329741746 / l, 2) * std::sqrt(stiffness / density);
   ASSERT_EQ(booms[2].frequencies.size(), 4u);
   EXPECT_NEAR(booms[2].frequencies[0], first - spin, 1e-12);
   EXPECT_NEAR(booms[2].frequencies[1], first + spin, 1e-12);
@@ -201,7 +213,8 @@ TEST(Limits, HeldBooms) {
   EXPECT_NEAR(booms[3].frequencies[1], 5 + spin, 1e-13);
 }
 
-// Wires turned from the principal axes: ψ of the effective inertia, tan 2ψ = 2 g1 e1 e2/(I1 − I2 + g1(e1² − e2²)), with e = (−sin α, cos α) and g1 from the pair by itself (docs/booms.md (B13)).
+// Wires turned from the principal axes: ψ of the effective inertia, tan 2ψ = 2 g1 e1 e2/(I1 − I2 + g1(e1² − e2²)), with
+// e = (−sin α, cos α) and g1 from the pair by itself (docs/booms.md (B13)).
 TEST(Limits, EffectiveAxesOfRotatedWires) {
   const double alpha = 115 * pi / 180;
   const std::vector<Cable> wires = ring(2, 0.8, 0, 0, alpha);
@@ -216,7 +229,8 @@ TEST(Limits, EffectiveAxesOfRotatedWires) {
     const Eigen::Vector2d e(-std::sin(alpha), std::cos(alpha));
     const Eigen::Matrix2d tilt = h.block<2, 2>(3, 3).real();
     const double g1 = e.dot(tilt * e) / (spin * spin - a.omega * a.omega);
-    const double expected = 0.5 * std::atan2(2 * g1 * e(0) * e(1), body.inertia(0, 0) - body.inertia(1, 1) + g1 * (e(0) * e(0) - e(1) * e(1)));
+    const double expected =
+        0.5 * std::atan2(2 * g1 * e(0) * e(1), body.inertia(0, 0) - body.inertia(1, 1) + g1 * (e(0) * e(0) - e(1) * e(1)));
     EXPECT_NEAR(std::remainder(a.angle - expected, 0.5 * pi), 0, 1e-9) << a.omega / spin;
     EXPECT_LE(std::abs(a.angle), 0.25 * pi + 1e-15);
   }

@@ -46,14 +46,25 @@ TEST(SpacecraftPromises, Parts) {
   EXPECT_EQ(refusal([] { Spacecraft(0, body, pair(wire)); }), "spin must be above 0: it is 0 rad/s, and without it no cable is taut");
   EXPECT_NE(refusal([] { Spacecraft(-1, body, pair(wire)); }).find("turn axis 3 around"), std::string::npos);
   EXPECT_NE(refusal([] { Spacecraft(1, {-3, body.inertia}); }).find("'mass' must be above 0: it is -3 kg"), std::string::npos);
-  EXPECT_NE(refusal([] { Spacecraft(1, {100, Eigen::Vector3d(1, 2, 4).asDiagonal()}); }).find("triangle inequality, no principal moment above the sum of the others: 4 > 1 + 2 kg m²"),
+  EXPECT_NE(refusal([] {
+              Spacecraft(1, {100, Eigen::Vector3d(1, 2, 4).asDiagonal()});
+            }).find("triangle inequality, no principal moment above the sum of the others: 4 > 1 + 2 kg m²"),
             std::string::npos);
   Eigen::Matrix3d skewed = body.inertia;
   skewed(0, 1) = 3;
-  EXPECT_NE(refusal([&] { Spacecraft(1, {100, skewed}); }).find("'inertia' must be symmetric: entries (1,2) = 3 and (2,1) = 0 differ"), std::string::npos);
-  EXPECT_NE(refusal([] { Spacecraft(1, body, {}, {{0, true, 5, 0.1, {10, -1}, 0}}); }).find("beam 1: 'bending_stiffness' must be above 0: it is -1 N m²"), std::string::npos);
+  EXPECT_NE(refusal([&] {
+              Spacecraft(1, {100, skewed});
+            }).find("'inertia' must be symmetric: entries (1,2) = 3 and (2,1) = 0 differ"),
+            std::string::npos);
+  EXPECT_NE(refusal([] {
+              Spacecraft(1, body, {}, {{0, true, 5, 0.1, {10, -1}, 0}});
+            }).find("beam 1: 'bending_stiffness' must be above 0: it is -1 N m²"),
+            std::string::npos);
   const double rigid = std::numeric_limits<double>::infinity();
-  EXPECT_NE(refusal([&] { Spacecraft(1, body, {}, {}, {{{0.4, 0, 0}, 2, {0, 5, rigid}}}); }).find("'stiffness' must be above 0 (inf: rigid), or nothing holds the mass to the body: along axis 1 it is 0 N/m"), std::string::npos);
+  EXPECT_NE(refusal([&] {
+              Spacecraft(1, body, {}, {}, {{{0.4, 0, 0}, 2, {0, 5, rigid}}});
+            }).find("'stiffness' must be above 0 (inf: rigid), or nothing holds the mass to the body: along axis 1 it is 0 N/m"),
+            std::string::npos);
 }
 
 // Numbers that are in range one by one, and whose moments are not.
@@ -62,8 +73,14 @@ TEST(SpacecraftPromises, Range) {
     const std::string wires = refusal([length] { Spacecraft(1, body, pair({0, 0.5, 0.2, length, 1e90, 0.1})); });
     EXPECT_NE(wires.find("cable 1: mass "), std::string::npos) << wires;
     EXPECT_NE(wires.find("leave the range of numbers"), std::string::npos) << wires;
-    EXPECT_NE(refusal([length] { Spacecraft(1, body, {}, {{0, true, length, 1e90, {10, 10}, 0}}); }).find("beam 1: mass "), std::string::npos);
-    EXPECT_NE(refusal([length] { Spacecraft(1, body, {}, {}, {{{0, 0, length}, 1e90, {5, 5, 5}}}); }).find("spring mass 1: mass "), std::string::npos);
+    EXPECT_NE(refusal([length] {
+                Spacecraft(1, body, {}, {{0, true, length, 1e90, {10, 10}, 0}});
+              }).find("beam 1: mass "),
+              std::string::npos);
+    EXPECT_NE(refusal([length] {
+                Spacecraft(1, body, {}, {}, {{{0, 0, length}, 1e90, {5, 5, 5}}});
+              }).find("spring mass 1: mass "),
+              std::string::npos);
   }
   EXPECT_NE(refusal([] { Spacecraft(1e-170, body); }).find("leave the range of numbers"), std::string::npos);
   EXPECT_NE(refusal([] { Spacecraft(1e160, body); }).find("leave the range of numbers"), std::string::npos);

@@ -1,4 +1,5 @@
-// Geos and ISPM against 34-digit values (tests/cases/spacecraft.json, from a derivation that shares no code with the library): frequencies, matrices, counts.
+// Geos and ISPM against 34-digit values (tests/cases/spacecraft.json, from a derivation that shares no code with the
+// library): frequencies, matrices, counts.
 #include "gyromode/appendage/wire_field.h"
 #include "gyromode/roots/certified_roots.h"
 #include "gyromode/modes/spacecraft.h"
@@ -28,14 +29,18 @@ Spacecraft satellite(const Json& model) {
   for (Index i = 0; i < 3; ++i) inertia(i) = number(model["body"]["inertia"][static_cast<std::size_t>(i)]);
   std::vector<Cable> cables;
   for (const Json& c : model["cables"]) {
-    cables.push_back({number(c["azimuth_deg"]) * std::numbers::pi / 180, number(c["radius"]), number(c["height"]), number(c["length"]), number(c["line_density"]),
-                      number(c["tip_mass"])});
+    cables.push_back({number(c["azimuth_deg"]) * std::numbers::pi / 180, number(c["radius"]), number(c["height"]), number(c["length"]),
+                      number(c["line_density"]), number(c["tip_mass"])});
   }
   std::vector<Beam> beams;
   if (model.contains("beam")) {
     const Json& b = model["beam"];
-    beams.push_back({number(b["root"][2]), number(b["direction"][2]) > 0, number(b["length"]), number(b["line_density"]),
-                     {number(b["EI_for_motion_along_axis_1"]), number(b["EI_for_motion_along_axis_2"])}, number(b["tip_mass"])});
+    beams.push_back({number(b["root"][2]),
+                     number(b["direction"][2]) > 0,
+                     number(b["length"]),
+                     number(b["line_density"]),
+                     {number(b["EI_for_motion_along_axis_1"]), number(b["EI_for_motion_along_axis_2"])},
+                     number(b["tip_mass"])});
   }
   return Spacecraft(number(model["spin"]), {number(model["body"]["mass"]), inertia.asDiagonal()}, cables, beams);
 }
@@ -43,7 +48,8 @@ Spacecraft satellite(const Json& model) {
 // The roots of the block that holds coordinate `of` of the body, below `below` spins, over the spin.
 std::vector<double> roots_of_class(const Spacecraft& s, Index of, double below) {
   const SpacecraftImpedance impedance(s);
-  const CertifiedRoots roots(impedance, SpacecraftImpedance::free_coordinates(), SpacecraftImpedance::cyclic_coordinates(), 0, [](Index) { return std::nullopt; });
+  const CertifiedRoots roots(impedance, SpacecraftImpedance::free_coordinates(), SpacecraftImpedance::cyclic_coordinates(), 0,
+                             [](Index) { return std::nullopt; });
   EXPECT_TRUE(roots.closed());
   std::vector<double> found;
   for (const Root& r : roots.between(0, below).roots) {
@@ -69,7 +75,8 @@ TEST(Geos, NutationAndCablesToSixteenDigits) {
 TEST(Geos, OtherClassesToAllPrintedDigits) {
   const Json& c = cases()["GEOS_A"];
   const Spacecraft s = satellite(c["model"]);
-  for (const auto& [coordinate, key] : {std::pair(theta3, "theta3_class_omega_over_spin"), std::pair(zeta3, "zeta3_class_omega_over_spin")}) {
+  for (const auto& [coordinate, key] :
+       {std::pair(theta3, "theta3_class_omega_over_spin"), std::pair(zeta3, "zeta3_class_omega_over_spin")}) {
     const std::vector<double> found = roots_of_class(s, coordinate, 6);
     ASSERT_GE(found.size() + 1, c[key].size());
     for (std::size_t i = 1; i < c[key].size(); ++i) {  // the first is the rigid-body mode, 0
@@ -124,7 +131,8 @@ TEST(Geos, MatrixEntries) {
       for (int k = i; k < 4; ++k, ++at) {
         // q* = (ζ1, θ2, jζ2, jθ1): H* = T⁻¹HT with T = diag(1, −j), as here.
         const double exact = number(row["Hstar_upper_order_z1_t2_jz2_jt1"][at]);
-        EXPECT_NEAR(t.real_symmetric(order[i], order[k]), exact, 1e-11 * std::abs(exact) + 1e-14 * largest) << omega / s.spin() << ": " << i << "," << k;
+        EXPECT_NEAR(t.real_symmetric(order[i], order[k]), exact, 1e-11 * std::abs(exact) + 1e-14 * largest)
+            << omega / s.spin() << ": " << i << "," << k;
       }
     }
     EXPECT_LE((t.unitary.adjoint() * t.impedance * t.unitary - t.real_symmetric.cast<Complex>()).norm(), 1e-14 * t.impedance.norm());

@@ -90,7 +90,8 @@ TEST(Shapes, FieldsOfTheBoomsAreThoseOfTheTwin) {
       if (error > 1e-7) continue;
       const ComplexVector a = told_by_exact(s, exact, m), b = told_by_twin(s, whole, *near[0]);
       ASSERT_EQ(a.size(), b.size());
-      EXPECT_NEAR(std::abs(a.dot(b)), a.norm() * b.norm(), 1e-5 * a.norm() * b.norm()) << "seed " << seed << ", omega " << m.omega / s.spin();
+      EXPECT_NEAR(std::abs(a.dot(b)), a.norm() * b.norm(), 1e-5 * a.norm() * b.norm())
+          << "seed " << seed << ", omega " << m.omega / s.spin();
       ++compared;
     }
   }
@@ -114,8 +115,10 @@ TEST(Shapes, RootsAreHeldAndPartsArePure) {
         EXPECT_LE((m.field[i].leftCols<1>() - body).norm(), 1e-9 * (1 + body.norm())) << seed;
       }
       const double largest = m.shape.cwiseAbs().maxCoeff();
-      if (m.kind == ModeKind::local) EXPECT_EQ(largest, 0);
-      else EXPECT_NEAR(largest, 1, 1e-12);
+      if (m.kind == ModeKind::local)
+        EXPECT_EQ(largest, 0);
+      else
+        EXPECT_NEAR(largest, 1, 1e-12);
       if (r.structure.system_class() != SystemClass::quadrature) continue;
       for (const Complex& z : m.shape) EXPECT_TRUE(z.real() == 0 || z.imag() == 0) << seed << ": " << z.real() << " + j" << z.imag();
     }

@@ -1,4 +1,5 @@
-// Divergence and negative energy as slow as one likes: on either side of the value at which the static stiffness is singular a verdict is found, and the right one.
+// Divergence and negative energy as slow as one likes: on either side of the value at which the static stiffness is
+// singular a verdict is found, and the right one.
 #include "support/random_spacecraft.h"
 
 #include "gyromode/base/error.h"
@@ -25,7 +26,8 @@ ModesResult solved(const Spacecraft& s) {
 
 Body body(double j3) { return {310, Eigen::Vector3d(100, 110, j3).asDiagonal()}; }
 
-// Where J₃ passes J₁ and J₂ of a rigid body: |λ²| = Ω²|J₃ − J₁||J₃ − J₂|/(J₁J₂), divergence between them, negative energy below.
+// Where J₃ passes J₁ and J₂ of a rigid body: |λ²| = Ω²|J₃ − J₁||J₃ − J₂|/(J₁J₂), divergence between them, negative
+// energy below.
 TEST(SlowMotions, OfARigidBody) {
   constexpr double spin = 0.7;
   for (const double delta : {10.0 / 3, 0.1, 1e-3, 1e-5, 1e-7, 1e-9}) {
@@ -50,7 +52,8 @@ TEST(SlowMotions, OfARigidBody) {
   }
 }
 
-// Wires stiffen a rotation about axis 1 by Σ aS sin²α, and J₃ passes J₁ − 2aS and J₂ − 2aS with four of them; two along axis 1 stiffen the rotation about axis 2 alone.
+// Wires stiffen a rotation about axis 1 by Σ aS sin²α, and J₃ passes J₁ − 2aS and J₂ − 2aS with four of them; two along
+// axis 1 stiffen the rotation about axis 2 alone.
 TEST(SlowMotions, OfABodyWithWires) {
   for (const std::vector<double>& azimuths : {std::vector<double>{0, 90, 180, 270}, {45, 135, 225, 315}, {0, 120, 240}, {0, 180}}) {
     std::vector<Cable> wires;
@@ -63,7 +66,10 @@ TEST(SlowMotions, OfABodyWithWires) {
     }
     const double first = 100 - along2, second = 110 - along1;
     for (const double delta : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9}) {
-      for (const auto& [j3, expected] : {std::pair(first - delta, "gyroscopically_stabilised"), {first + delta, "unstable"}, {second - delta, "unstable"}, {second + delta, "stable"}}) {
+      for (const auto& [j3, expected] : {std::pair(first - delta, "gyroscopically_stabilised"),
+                                         {first + delta, "unstable"},
+                                         {second - delta, "unstable"},
+                                         {second + delta, "stable"}}) {
         const ModesResult r = solved(Spacecraft(1, body(j3), wires));
         EXPECT_EQ(to_string(r.stability), expected) << azimuths.size() << " wires, " << j3 << ", " << delta;
         EXPECT_TRUE(r.index_balance.closed);
@@ -72,7 +78,8 @@ TEST(SlowMotions, OfABodyWithWires) {
   }
 }
 
-// Four long wires between the axes and two soft booms, beside the larger value: no approximation by finite elements diverges as slowly.
+// Four long wires between the axes and two soft booms, beside the larger value: no approximation by finite elements
+// diverges as slowly.
 TEST(SlowMotions, OfASatelliteWithBooms) {
   std::vector<Cable> wires;
   for (const double degrees : {45, 135, 225, 315}) wires.push_back({degrees * pi / 180, 0.9, 0.05, 40, 1.1e-3, 0.12});
@@ -89,11 +96,13 @@ TEST(SlowMotions, OfASatelliteWithBooms) {
     EXPECT_NEAR(growth * growth / (critical - j3), slope, 1e-3 * slope) << j3;  // σ² is linear there
   }
   for (const double j3 : {143.601738, 143.6018, 143.603}) EXPECT_EQ(to_string(at(j3).stability), "stable") << j3;
-  for (const double j3 : {129.60173, 129.601737}) EXPECT_EQ(to_string(at(j3).stability), "gyroscopically_stabilised") << j3;  // J₂ − J₁ = 14 below
+  // J₂ − J₁ = 14 below
+  for (const double j3 : {129.60173, 129.601737}) EXPECT_EQ(to_string(at(j3).stability), "gyroscopically_stabilised") << j3;
   for (const double j3 : {129.601738, 129.6018}) EXPECT_EQ(to_string(at(j3).stability), "unstable") << j3;
 }
 
-// Any satellites: where n₋ of the static stiffness changes with the body's J₃, found by bisection, a verdict is there on both sides, and the slow motion that makes the difference.
+// Any satellites: where n₋ of the static stiffness changes with the body's J₃, found by bisection, a verdict is there
+// on both sides, and the slow motion that makes the difference.
 TEST(SlowMotions, OfRandomSatellitesBesideTheirCriticalValues) {
   std::size_t borders = 0;
   for (std::uint64_t seed = 0; seed < 24; ++seed) {
@@ -109,7 +118,9 @@ TEST(SlowMotions, OfRandomSatellitesBesideTheirCriticalValues) {
     };
     const auto negative = [](const Spacecraft& at) {
       const SpacecraftImpedance impedance(at);
-      return static_count(BlockedImpedance(impedance), SpacecraftImpedance::free_coordinates(), SpacecraftImpedance::cyclic_coordinates(), impedance.neutral_patterns()).negative;
+      return static_count(BlockedImpedance(impedance), SpacecraftImpedance::free_coordinates(), SpacecraftImpedance::cyclic_coordinates(),
+                          impedance.neutral_patterns())
+          .negative;
     };
     const Eigen::Matrix3d j = s.body().inertia;
     double lo = std::abs(j(0, 0) - j(1, 1)) * 1.01 + 1e-3 * j(0, 0), hi = 0.999 * (j(0, 0) + j(1, 1));

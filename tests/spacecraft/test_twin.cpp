@@ -1,4 +1,5 @@
-// Exact against discrete: orders of convergence, extrapolated frequencies, and inertia counts of the twin of finite elements, which shares no formula with the exact fields.
+// Exact against discrete: orders of convergence, extrapolated frequencies, and inertia counts of the twin of finite
+// elements, which shares no formula with the exact fields.
 #include "support/random_spacecraft.h"
 
 #include "gyromode/dense/inertia.h"
@@ -32,7 +33,8 @@ std::vector<double> vibrations(const ModesResult& r) {
   return omega;
 }
 
-// Linear elements: errors fall fourfold when the elements are halved, and what is extrapolated from three meshes is the exact frequency.
+// Linear elements: errors fall fourfold when the elements are halved, and what is extrapolated from three meshes is the
+// exact frequency.
 TEST(Twin, LinearElementsConvergeToTheExactFrequenciesOfGeos) {
   const Spacecraft s = geos();
   ModesOptions options;
@@ -60,7 +62,8 @@ TEST(Twin, GeosBelowFortySpins) {
   const std::vector<double> fine = vibrations(find_modes(s, Mesh{2, 44}, options));
   ASSERT_EQ(exact.size(), 109u);
   ASSERT_EQ(fine.size(), exact.size());
-  for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(fine[i], exact[i], 2e-11 * exact[i]) << i;  // rounding of the twin, of its highest frequency
+  // rounding of the twin, of its highest frequency
+  for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(fine[i], exact[i], 2e-11 * exact[i]) << i;
 }
 
 Index exact_count(const SpacecraftImpedance& impedance, const std::vector<Block>& blocks, double omega) {
@@ -75,7 +78,8 @@ std::size_t wanted(const char* variable, std::size_t usual) {
   return asked ? std::strtoull(asked, nullptr, 10) : usual;
 }
 
-// J(ω) of the exact impedance is n₋ of the twin's H(ω) at random frequencies, 30 satellites; beside Ω, where the tilt is, the twin is asked a little farther off.
+// J(ω) of the exact impedance is n₋ of the twin's H(ω) at random frequencies, 30 satellites; beside Ω, where the tilt
+// is, the twin is asked a little farther off.
 TEST(Twin, CountsAgree) {
   const std::size_t frequencies = wanted("GYROMODE_COUNTS", 200);
   constexpr double twin_error = 1e-4;
@@ -104,7 +108,8 @@ TEST(Twin, CountsAgree) {
   EXPECT_GE(compared, 28 * frequencies);
 }
 
-// Certified wherever the static stiffness is not indefinite, and where it is, wherever the balance closes; frequencies are those of the twin to the twin's own error, seen from two meshes.
+// Certified wherever the static stiffness is not indefinite, and where it is, wherever the balance closes; frequencies
+// are those of the twin to the twin's own error, seen from two meshes.
 TEST(RandomSatellites, AreCertified) {
   const std::size_t satellites = wanted("GYROMODE_SATELLITES", 100);
   std::size_t open = 0;
@@ -142,7 +147,8 @@ TEST(RandomSatellites, AreCertified) {
   EXPECT_LE(open, satellites / 50);
 }
 
-// Growing motions of the exact impedance are those of the twin to its own error, and where they are all, the balance closes.
+// Growing motions of the exact impedance are those of the twin to its own error, and where they are all, the balance
+// closes.
 TEST(RandomSatellites, GrowthRatesAreThoseOfTheTwin) {
   std::size_t growing = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -158,7 +164,8 @@ TEST(RandomSatellites, GrowthRatesAreThoseOfTheTwin) {
       EXPECT_GT(u.error_bound, 0) << seed;
       EXPECT_LE(u.error_bound, 1e-6 * std::hypot(u.growth_rate, u.omega)) << seed;
       double nearest = 1;
-      for (const UnstableMode& f : fine.unstable) nearest = std::min(nearest, std::hypot(f.growth_rate - u.growth_rate, f.omega - u.omega) / std::hypot(u.growth_rate, u.omega));
+      for (const UnstableMode& f : fine.unstable)
+        nearest = std::min(nearest, std::hypot(f.growth_rate - u.growth_rate, f.omega - u.omega) / std::hypot(u.growth_rate, u.omega));
       EXPECT_LE(nearest, 2e-5) << "seed " << seed << ": " << u.growth_rate / s.spin() << " + j " << u.omega / s.spin();
       ++growing;
     }

@@ -1,4 +1,5 @@
-// Borders between verdicts along a line, where verdicts beside them are missing, noise, or open: as many as there are, in a bounded number of evaluations.
+// Borders between verdicts along a line, where verdicts beside them are missing, noise, or open: as many as there are,
+// in a bounded number of evaluations.
 #include "gyromode/stability/border.h"
 #include "gyromode/stability/stability_map.h"
 
@@ -19,8 +20,9 @@ StabilityPoint said(Stability s, bool closed = true, Index divergent = 0) {
   p.balance.real_pairs = divergent;
   return p;
 }
-const StabilityPoint stable = said(Stability::stable), unstable = said(Stability::unstable), stabilised = said(Stability::gyroscopically_stabilised),
-                     marginal = said(Stability::marginal), unknown = said(Stability::unknown, false), no_model{false, Stability::unknown, {}, 0, "no such model"};
+const StabilityPoint stable = said(Stability::stable), unstable = said(Stability::unstable),
+                     stabilised = said(Stability::gyroscopically_stabilised), marginal = said(Stability::marginal),
+                     unknown = said(Stability::unknown, false), no_model{false, Stability::unknown, {}, 0, "no such model"};
 
 // A number from 0 to 1 that has nothing to do with x but is one for each.
 double chance(double x) {
@@ -127,7 +129,11 @@ TEST(Borders, WideNoiseIsBounded) {
 
 TEST(Borders, ThirdVerdictsBetween) {
   for (const int n : {2, 3, 5, 50}) {
-    const StabilityMap m = along([](double x) { return x < 0.31 ? stable : x < 0.43 ? unstable : x < 0.77 ? stabilised : marginal; }, 0, 1, n);
+    const StabilityMap m =
+        along([](double x) { return x < 0.31   ? stable
+                                    : x < 0.43 ? unstable
+                                    : x < 0.77 ? stabilised
+                                               : marginal; }, 0, 1, n);
     ASSERT_EQ(m.critical.size(), 3u) << n;
     EXPECT_NEAR(m.critical[0].value, 0.31, 1e-13);
     EXPECT_NEAR(m.critical[1].value, 0.43, 1e-13);

@@ -27,8 +27,13 @@ StabilityPoint verdict(const Spacecraft& s) {
   return stability_point(find_modes(s, options));
 }
 
-StabilityMap over_j3(double mass, double j1, double j2, double spin, const std::vector<Cable>& wires, const std::vector<Beam>& beams, const std::vector<double>& values) {
-  return map_stability([&](const std::vector<double>& v) { return verdict(Spacecraft(spin, {mass, Eigen::Vector3d(j1, j2, v[0]).asDiagonal()}, wires, beams)); }, {values});
+StabilityMap over_j3(double mass, double j1, double j2, double spin, const std::vector<Cable>& wires, const std::vector<Beam>& beams,
+                     const std::vector<double>& values) {
+  return map_stability(
+      [&](const std::vector<double>& v) {
+        return verdict(Spacecraft(spin, {mass, Eigen::Vector3d(j1, j2, v[0]).asDiagonal()}, wires, beams));
+      },
+      {values});
 }
 
 std::vector<Cable> ring(std::initializer_list<double> degrees, double radius, double height, double length, double density, double tip) {
@@ -57,8 +62,9 @@ TEST(SatelliteBorders, ABodyWithWires) {
   expect_values(over_j3(100, 100, 110, 1, ring({0, 180}, 0.5, 0, 3, 0.01, 0.1), {}, grid(80, 130, 5)), {99.59, 110}, 1e-9);
 }
 
-// Four long wires between the axes, two soft booms: two critical values as far apart as J₁ and J₂, and flutter from 108.98 to 110.93, whose ends are
-// known to the band that has no verdict: as squares of gaps and of growth rates on both sides, linear in J₃, extrapolate to zero.
+// Four long wires between the axes, two soft booms: two critical values as far apart as J₁ and J₂, and flutter from
+// 108.98 to 110.93, whose ends are known to the band that has no verdict: as squares of gaps and of growth rates on
+// both sides, linear in J₃, extrapolate to zero.
 TEST(SatelliteBorders, ASatelliteWithBooms) {
   const auto wires = ring({45, 135, 225, 315}, 0.9, 0.05, 40, 1.1e-3, 0.12);
   const std::vector<Beam> beams{{0.6, true, 6, 0.09, {900, 900}, 0.25}, {-0.6, false, 6, 0.09, {900, 900}, 0.25}};
@@ -73,7 +79,8 @@ TEST(SatelliteBorders, ASatelliteWithBooms) {
   }
 }
 
-// Three masses on springs that the spin makes soft, one after the other: √(k/m) = √20 is the critical spin of those that move against each other. Ten and more digits on any grid.
+// Three masses on springs that the spin makes soft, one after the other: √(k/m) = √20 is the critical spin of those
+// that move against each other. Ten and more digits on any grid.
 TEST(SatelliteBorders, SoftSprings) {
   constexpr double rigid = std::numeric_limits<double>::infinity();
   const auto at = [&](double spin) {
@@ -82,13 +89,15 @@ TEST(SatelliteBorders, SoftSprings) {
   };
   for (const int n : {8, 21, 24}) {
     const StabilityMap m = map_stability([&](const std::vector<double>& v) { return at(v[0]); }, {grid(0.3, 6, n)});
-    const std::vector<double> expected{2.009343907646, 2.855843860553, 2.857114783162, 3.172894202731, std::sqrt(20.0), 4.517492930624, 4.586602037863, 4.905706975389};
+    const std::vector<double> expected{2.009343907646,  2.855843860553, 2.857114783162, 3.172894202731,
+                                       std::sqrt(20.0), 4.517492930624, 4.586602037863, 4.905706975389};
     ASSERT_EQ(m.critical.size(), expected.size()) << n;
     for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(m.critical[k].value, expected[k], 1e-9) << n;
   }
 }
 
-// A satellite that is unstable throughout: at 111.966 two divergences become flutter, in rounding that once was taken for hundreds of borders.
+// A satellite that is unstable throughout: at 111.966 two divergences become flutter, in rounding that once was taken
+// for hundreds of borders.
 TEST(SatelliteBorders, DivergencesThatMeet) {
   const auto at = [](double j1) {
     return verdict(Spacecraft(3, {239.96659877657888, Eigen::Vector3d(j1, 125.1593967576169, 95.91290601536501).asDiagonal()},
@@ -97,7 +106,8 @@ TEST(SatelliteBorders, DivergencesThatMeet) {
   };
   std::vector<CriticalValue> first;
   for (const int n : {2, 3, 30}) {
-    const StabilityMap m = map_stability([&](const std::vector<double>& v) { return at(v[0]); }, {grid(30.538955649674413, 218.8615797452521, n)});
+    const StabilityMap m =
+        map_stability([&](const std::vector<double>& v) { return at(v[0]); }, {grid(30.538955649674413, 218.8615797452521, n)});
     ASSERT_EQ(m.critical.size(), 3u) << n;
     EXPECT_NEAR(m.critical[0].value, 47.6573473, 2e-6);
     EXPECT_NEAR(m.critical[1].value, 111.9662163, 2e-6);

@@ -33,9 +33,9 @@ std::vector<double> values(const StabilityMap& m) {
   return all;
 }
 
-
 // Every cell by its closed form; a cell within rounding of a boundary may be marginal.
-void expect_no_wrong_cell(const StabilityMap& m, const std::function<Stability(double, double)>& exact, const std::function<double(double, double)>& distance) {
+void expect_no_wrong_cell(const StabilityMap& m, const std::function<Stability(double, double)>& exact,
+                          const std::function<double(double, double)>& distance) {
   std::size_t wrong = 0;
   for (const auto& [at, p] : m.cells) {
     if (std::abs(distance(at[0], at[1])) < 1e-12) continue;
@@ -49,16 +49,22 @@ void expect_no_wrong_cell(const StabilityMap& m, const std::function<Stability(d
 
 // B2, published: unequal stiffness in turning axes, unstable between ω₁ = 1 and ω₂ = 1.5.
 TEST(StabilityMap, UnequalStiffness) {
-  const auto at = [](double spin, double w2) { return verdict(System(Matrix::Identity(2, 2), turning(2 * spin), diagonal(1 - spin * spin, w2 * w2 - spin * spin))); };
+  const auto at = [](double spin, double w2) {
+    return verdict(System(Matrix::Identity(2, 2), turning(2 * spin), diagonal(1 - spin * spin, w2 * w2 - spin * spin)));
+  };
   const StabilityMap line = map_stability([&](const std::vector<double>& v) { return at(v[0], 1.5); }, {grid(0, 2, 14)});
   ASSERT_EQ(line.critical.size(), 2u);
   EXPECT_NEAR(line.critical[0].value, 1, 1e-12);
   EXPECT_NEAR(line.critical[1].value, 1.5, 1e-12);
   EXPECT_EQ(to_string(line.critical[1].to.stability), "gyroscopically_stabilised");
-  const StabilityMap chart = map_stability([&](const std::vector<double>& v) { return at(v[0], v[1]); }, {grid(0.013, 2.5, 100), grid(1.05, 2.2, 100)});
+  const StabilityMap chart =
+      map_stability([&](const std::vector<double>& v) { return at(v[0], v[1]); }, {grid(0.013, 2.5, 100), grid(1.05, 2.2, 100)});
   EXPECT_EQ(chart.cells.size(), 10000u);
   expect_no_wrong_cell(
-      chart, [](double spin, double w2) { return spin < 1 ? Stability::stable : spin < w2 ? Stability::unstable : Stability::gyroscopically_stabilised; },
+      chart,
+      [](double spin, double w2) {
+        return spin < 1 ? Stability::stable : spin < w2 ? Stability::unstable : Stability::gyroscopically_stabilised;
+      },
       [](double spin, double w2) { return (spin - 1) * (spin - w2); });
   for (const CriticalValue& c : chart.critical) {
     EXPECT_NEAR(c.value, c.from.stability == Stability::unstable ? c.others[0] : 1, 1e-10);
@@ -75,7 +81,8 @@ TEST(StabilityMap, GyroscopicThreshold) {
     EXPECT_EQ(to_string(line.critical[0].from.stability), "unstable");
     EXPECT_EQ(to_string(line.critical[0].to.stability), "gyroscopically_stabilised");
   }
-  const StabilityMap chart = map_stability([&](const std::vector<double>& v) { return at(v[0], v[1]); }, {grid(0.02, 6, 100), grid(0.1, 9.7, 100)});
+  const StabilityMap chart =
+      map_stability([&](const std::vector<double>& v) { return at(v[0], v[1]); }, {grid(0.02, 6, 100), grid(0.1, 9.7, 100)});
   expect_no_wrong_cell(
       chart, [](double g, double k2) { return g < 1 + std::sqrt(k2) ? Stability::unstable : Stability::gyroscopically_stabilised; },
       [](double g, double k2) { return g - 1 - std::sqrt(k2); });
@@ -92,7 +99,9 @@ TEST(StabilityMap, MassOnThreeSpringsFromItsFile) {
   const StabilityMap chart = stability_over(*model.body, {{"spin", grid(10, 1500, 100)}, {"stiffness[0][0]", grid(2e4, 1.5e5, 100)}});
   expect_no_wrong_cell(
       chart,
-      [](double spin, double kx) { return spin * spin < kx / 0.2 ? Stability::stable : spin < 1000 ? Stability::unstable : Stability::gyroscopically_stabilised; },
+      [](double spin, double kx) {
+        return spin * spin < kx / 0.2 ? Stability::stable : spin < 1000 ? Stability::unstable : Stability::gyroscopically_stabilised;
+      },
       [](double spin, double kx) { return (spin * spin - kx / 0.2) * (spin - 1000); });
   ASSERT_EQ(chart.critical.size(), 200u);
   for (std::size_t k = 0; k < chart.critical.size(); ++k) {
@@ -107,12 +116,17 @@ TEST(StabilityMap, RigidBodyOverTheSpinInertia) {
     constexpr double i2 = 110, spin = 1.0471975511966;
     return verdict(System(diagonal(i1, i2), turning((i1 + i2 - i3) * spin), spin * spin * diagonal(i3 - i2, i3 - i1)));
   };
-  const StabilityMap chart = map_stability([&](const std::vector<double>& v) { return at(v[0], v[1]); }, {grid(41, 199, 100), grid(55, 105, 100)});
+  const StabilityMap chart =
+      map_stability([&](const std::vector<double>& v) { return at(v[0], v[1]); }, {grid(41, 199, 100), grid(55, 105, 100)});
   expect_no_wrong_cell(
-      chart, [](double i3, double i1) { return i3 > 110 ? Stability::stable : i3 > i1 ? Stability::unstable : Stability::gyroscopically_stabilised; },
+      chart,
+      [](double i3, double i1) {
+        return i3 > 110 ? Stability::stable : i3 > i1 ? Stability::unstable : Stability::gyroscopically_stabilised;
+      },
       [](double i3, double i1) { return (i3 - 110) * (i3 - i1); });
   ASSERT_EQ(chart.critical.size(), 200u);
-  for (std::size_t k = 0; k < chart.critical.size(); ++k) EXPECT_NEAR(chart.critical[k].value, k % 2 == 0 ? chart.critical[k].others[0] : 110, 1e-10 * 110);
+  for (std::size_t k = 0; k < chart.critical.size(); ++k)
+    EXPECT_NEAR(chart.critical[k].value, k % 2 == 0 ? chart.critical[k].others[0] : 110, 1e-10 * 110);
 }
 
 TEST(StabilityMap, UnlawfulCellsAreLeftBlank) {
@@ -126,12 +140,15 @@ TEST(StabilityMap, UnlawfulCellsAreLeftBlank) {
 }
 
 TEST(Parameters, OfASpacecraft) {
-  const std::string text = "kind = \"spacecraft\"\nspin = \"10 rpm\"\n[body]\nmass = 260\ninertia = [90.0, 110.0, 150.0]\n"
-                           "[[cable]]\nazimuth = 0\nradius = 1\nheight = 0\nlength = \"20 m\"\nline_density = 0.002\n"
-                           "[[cable]]\nazimuth = \"180 deg\"\nradius = 1\nheight = 0\nlength = 20\nline_density = 0.002\n";
+  const std::string text =
+      "kind = \"spacecraft\"\nspin = \"10 rpm\"\n[body]\nmass = 260\ninertia = [90.0, 110.0, 150.0]\n"
+      "[[cable]]\nazimuth = 0\nradius = 1\nheight = 0\nlength = \"20 m\"\nline_density = 0.002\n"
+      "[[cable]]\nazimuth = \"180 deg\"\nradius = 1\nheight = 0\nlength = 20\nline_density = 0.002\n";
   const Model m = parse_model(text, "craft.toml");
-  for (const char* key : {"spin", "body.inertia[2]", "cable[*].length", "cable[0].length,cable[1].length", "body.mass"}) EXPECT_NO_THROW(require_parameter(*m.body, key)) << key;
-  const Spacecraft craft = dynamic_cast<const SpacecraftModel&>(*m.body->with({{"cable[*].length", 31.5}, {"body.inertia[2]", 140}})).spacecraft();
+  for (const char* key : {"spin", "body.inertia[2]", "cable[*].length", "cable[0].length,cable[1].length", "body.mass"})
+    EXPECT_NO_THROW(require_parameter(*m.body, key)) << key;
+  const Spacecraft craft =
+      dynamic_cast<const SpacecraftModel&>(*m.body->with({{"cable[*].length", 31.5}, {"body.inertia[2]", 140}})).spacecraft();
   EXPECT_EQ(craft.cables()[0].length, 31.5);
   EXPECT_EQ(craft.cables()[1].length, 31.5);
   EXPECT_EQ(craft.body().inertia(2, 2), 140);
@@ -154,7 +171,8 @@ TEST(Parameters, OfASpacecraft) {
   EXPECT_THROW(m.body->with({{"body.inertia[5]", 100}}), InvalidArgument);
 }
 
-// Every parameter that a shipped model lists: set to what it is, nothing changes; set to another value, that value is read back.
+// Every parameter that a shipped model lists: set to what it is, nothing changes; set to another value, that value is
+// read back.
 TEST(Parameters, OfEveryShippedModelAreReadBack) {
   Index models = 0, changed = 0;
   for (const auto& entry : std::filesystem::directory_iterator(GYROMODE_SOURCE_DIR "/models")) {
@@ -207,7 +225,9 @@ TEST(StabilityMap, StoppedKeepsWhatIsKnown) {
   Index seen = 0;
   Progress progress;
   progress.stop = [&] { return seen >= 7; };
-  const auto at = [&](const std::vector<double>& v) -> StabilityPoint { return ++seen, StabilityPoint{true, v[0] < 1 ? Stability::stable : Stability::unstable, {}, 0, ""}; };
+  const auto at = [&](const std::vector<double>& v) -> StabilityPoint {
+    return ++seen, StabilityPoint{true, v[0] < 1 ? Stability::stable : Stability::unstable, {}, 0, ""};
+  };
   const StabilityMap m = map_stability(at, {grid(0, 4, 5), grid(0, 1, 3)}, progress);
   EXPECT_TRUE(m.interrupted);
   ASSERT_EQ(m.cells.size(), 15u);

@@ -40,7 +40,8 @@ Index negative_by_embedding(const ComplexMatrix& h) {
 
 }  // namespace
 
-// Of H = D (±1 or a definite core) D with D graded over many decades the signs are those of the core, whatever transformation is printed; H* stays UᴴHU.
+// Of H = D (±1 or a definite core) D with D graded over many decades the signs are those of the core, whatever
+// transformation is printed; H* stays UᴴHU.
 TEST(Realify, CountsOfGradedMatrices) {
   support::Source s{std::mt19937_64(7)};
   for (int trial = 0; trial < 600; ++trial) {

@@ -44,7 +44,8 @@ TEST(ReversingSymmetry, ScrambledSystemsAreRecognised) {
   for (std::uint64_t seed = 0; seed < seeds(); ++seed) {
     const Scrambled s = scrambled_system(seed, order_of(seed), 1e6);
     const SymmetrySearch f = search(s.hidden);
-    ASSERT_TRUE(f.found) << seed << ": " << s.description << ", condition " << s.condition << ", departure " << f.departure << " of " << f.threshold;
+    ASSERT_TRUE(f.found) << seed << ": " << s.description << ", condition " << s.condition << ", departure " << f.departure << " of "
+                         << f.threshold;
     const Matrix r = f.found->reflection(s.hidden.mass());
     const double eps = std::numeric_limits<double>::epsilon(), n = static_cast<double>(s.hidden.size());
     // ‖R‖ is up to the condition of S, and M is formed with errors of ε‖M‖.
@@ -70,12 +71,14 @@ TEST(ReversingSymmetry, FrequenciesOfScrambledSystems) {
     if (found.size() != expected.size()) continue;  // an ω of an indefinite K within rounding · cond of the axis
     const double largest = expected.empty() ? 0 : expected.back();
     for (std::size_t k = 0; k < expected.size(); ++k) {
-      EXPECT_LE(std::abs(found[k] - expected[k]), std::max(1e-10 * s.condition, 1e-15 * cond) * largest) << seed << ": " << s.description << ", condition " << s.condition;
+      EXPECT_LE(std::abs(found[k] - expected[k]), std::max(1e-10 * s.condition, 1e-15 * cond) * largest)
+          << seed << ": " << s.description << ", condition " << s.condition;
     }
   }
 }
 
-// 1e-6 of G is far more than rounding. Where (K, M) has repeated eigenvalues and n is small, the perturbed system may have a symmetry of its own: then it is exact.
+// 1e-6 of G is far more than rounding. Where (K, M) has repeated eigenvalues and n is small, the perturbed system may
+// have a symmetry of its own: then it is exact.
 TEST(ReversingSymmetry, PerturbedSystemsAreNot) {
   for (std::uint64_t seed = 0; seed < seeds(); ++seed) {
     const Scrambled s = scrambled_system(seed, order_of(seed), 1e3);
@@ -84,7 +87,8 @@ TEST(ReversingSymmetry, PerturbedSystemsAreNot) {
       EXPECT_LE(f.departure, 1e-9) << seed << ": " << s.description;
       continue;
     }
-    EXPECT_FALSE(f.found) << seed << ": " << s.description << ", condition " << s.condition << ", departure " << f.departure << " of " << f.threshold;
+    EXPECT_FALSE(f.found) << seed << ": " << s.description << ", condition " << s.condition << ", departure " << f.departure << " of "
+                          << f.threshold;
     EXPECT_GE(f.departure, 100 * f.threshold) << seed;
   }
 }
@@ -99,7 +103,8 @@ TEST(ReversingSymmetry, MirrorInWords) {
   Matrix k(4, 4), g(4, 4);
   k << 5, 0, -2, 0, 0, 7, 0, -2, -2, 0, 3, 0, 0, -2, 0, 4;
   g << 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 0, -2, 0, 0, 2, 0;
-  const System s(Matrix::Identity(4, 4), skew_part(turn.transpose() * g * turn), symmetric_part(turn.transpose() * k * turn), {"x1", "y1", "x2", "y2"});
+  const System s(Matrix::Identity(4, 4), skew_part(turn.transpose() * g * turn), symmetric_part(turn.transpose() * k * turn),
+                 {"x1", "y1", "x2", "y2"});
   const SymmetrySearch f = search(s);
   ASSERT_TRUE(f.found);
   EXPECT_LE(f.departure, 1e-14);
@@ -115,7 +120,8 @@ TEST(ReversingSymmetry, ExchangeInWords) {
   r(0, 1) = r(1, 0) = 1;
   r(2, 2) = -1;
   r(3, 3) = 1;
-  EXPECT_EQ(in_words(r, {"a", "b", "h", "z"}), "a mirror or half-turn that exchanges a ↔ b, reverses h, keeps z: 2 in phase, 2 in quadrature");
+  EXPECT_EQ(in_words(r, {"a", "b", "h", "z"}),
+            "a mirror or half-turn that exchanges a ↔ b, reverses h, keeps z: 2 in phase, 2 in quadrature");
   Matrix mixed = Matrix::Identity(3, 3) - 2.0 / 3.0 * Matrix::Ones(3, 3);
   EXPECT_EQ(in_words(mixed, {"a", "b", "c"}), "a reflection that mixes the coordinates: 2 in phase, 1 in quadrature");
 }
@@ -155,7 +161,8 @@ TEST(ReversingSymmetry, SingularAndIndefiniteStiffness) {
     EXPECT_EQ(to_string(b2.coverage.status), "complete") << trial << " " << b2.coverage.reason;
     EXPECT_EQ(b2.index_balance.zero, c.index_balance.zero) << trial;
     EXPECT_EQ(b2.unstable.size(), c.unstable.size()) << trial;
-    for (std::size_t i = 0; i < a.modes.size(); ++i) EXPECT_NEAR(a.modes[i].omega, b2.modes[i].omega, 1e-12 * a.modes.back().omega) << trial;
+    for (std::size_t i = 0; i < a.modes.size(); ++i)
+      EXPECT_NEAR(a.modes[i].omega, b2.modes[i].omega, 1e-12 * a.modes.back().omega) << trial;
   }
 }
 
@@ -173,8 +180,10 @@ TEST(ReversingSymmetry, GradedStiffnessHidesNothing) {
   }
 }
 
-// A scrambled system with all its frequencies certified: residuals, counts and balance are those of the matrices as given.
-// A clamped chain that bends in two directions, in axes that turn `spin` times as fast as its slowest mode: eigenvalues of K over eight decades, every pair of modes a symmetry of its own. In orthogonal coordinates that hide it.
+// A scrambled system with all its frequencies certified: residuals, counts and balance are those of the matrices as
+// given. A clamped chain that bends in two directions, in axes that turn `spin` times as fast as its slowest mode:
+// eigenvalues of K over eight decades, every pair of modes a symmetry of its own. In orthogonal coordinates that hide
+// it.
 TEST(ReversingSymmetry, SpinningBeams) {
   support::Source source{std::mt19937_64(23)};
   for (const Index m : {4, 20, 60, 120}) {

@@ -1,5 +1,5 @@
-// Partition and components against brute force over all 2ⁿ colourings, witnesses walked step by step; definiteness against congruences of
-// integer matrices, whose inertia is known and whose singularity is exact.
+// Partition and components against brute force over all 2ⁿ colourings, witnesses walked step by step; definiteness
+// against congruences of integer matrices, whose inertia is known and whose singularity is exact.
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
@@ -51,7 +51,8 @@ std::vector<Link> random_links(Index n, double density, Random& random) {
   for (Index j = 0; j < n; ++j) {
     for (Index i = j + 1; i < n; ++i) {
       for (const char matrix : {'M', 'K', 'G'}) {
-        if (std::bernoulli_distribution(density)(random)) links.push_back({i, j, matrix, std::bernoulli_distribution()(random) ? 1.0 : -1.0});
+        if (std::bernoulli_distribution(density)(random))
+          links.push_back({i, j, matrix, std::bernoulli_distribution()(random) ? 1.0 : -1.0});
       }
     }
   }
@@ -140,7 +141,8 @@ TEST(Partition, RandomSystemsAgreeWithBruteForce) {
       EXPECT_EQ((connected.col(c.coordinates[0]).array() > 0).count(), static_cast<Index>(c.coordinates.size()));
       for (const Index i : c.coordinates) EXPECT_GT(connected(i, c.coordinates[0]), 0);
       bool exists = false;
-      for (std::uint64_t colouring = 0; colouring < (std::uint64_t{1} << n) && !exists; ++colouring) exists = colours(s, c.coordinates, colouring);
+      for (std::uint64_t colouring = 0; colouring < (std::uint64_t{1} << n) && !exists; ++colouring)
+        exists = colours(s, c.coordinates, colouring);
       ASSERT_EQ(c.quadrature(), exists);
       if (exists) {
         std::uint64_t colouring = 0;
@@ -164,7 +166,8 @@ TEST(Partition, RandomSystemsAgreeWithBruteForce) {
   EXPECT_GT(several, 100);
 }
 
-// Groups laid down first, couplings drawn within the class: what is found is what was laid down, up to a swap in every component.
+// Groups laid down first, couplings drawn within the class: what is found is what was laid down, up to a swap in every
+// component.
 TEST(Partition, ScrambledSystemsOfTheClassAreFound) {
   Random random(32);
   for (int trial = 0; trial < 100; ++trial) {
@@ -221,7 +224,8 @@ TEST(Coupling, ToleranceIsRelativeToEachMatrix) {
     EXPECT_EQ(without_ignored_couplings(f, 0.011).gyroscopic()(1, 2), 0);
     EXPECT_NEAR(ignored_couplings(f, 0.011).largest, 0.01, 1e-15);
   }
-  EXPECT_EQ(analyse(linked(2, {{0, 1, 'K', 1e-300}, {0, 1, 'G'}}), HiddenSearch::never).system_class(), SystemClass::general);  // tolerance 0 leaves nothing out
+  // tolerance 0 leaves nothing out
+  EXPECT_EQ(analyse(linked(2, {{0, 1, 'K', 1e-300}, {0, 1, 'G'}}), HiddenSearch::never).system_class(), SystemClass::general);
   const System limit = linked(2, {{0, 1, 'G', 6}});  // left out at the limit
   EXPECT_EQ(analyse(without_ignored_couplings(limit, 1)).components.size(), 2u);
   const Matrix light = Eigen::Vector2d(1, 1e-6).asDiagonal();  // a diagonal is no coupling, however small
@@ -272,7 +276,8 @@ Congruence random_congruence(Index n, bool semidefinite, Random& random) {
   const Matrix s = l * u;
   const Matrix inverse = s.inverse().array().round();
   EXPECT_TRUE(s * inverse == Matrix::Identity(n, n));
-  Congruence c{s.transpose() * d.asDiagonal() * s, (d.array() < 0).count(), (d.array() == 0).count(), (d.array() > 0).count(), Matrix(n, 0)};
+  Congruence c{s.transpose() * d.asDiagonal() * s, (d.array() < 0).count(), (d.array() == 0).count(), (d.array() > 0).count(),
+               Matrix(n, 0)};
   c.null_space.resize(n, c.zero);
   for (Index j = 0, k = 0; j < n; ++j) {
     if (d(j) == 0) c.null_space.col(k++) = inverse.col(j);
@@ -284,7 +289,9 @@ void expect_counts(const StiffnessInertia& found, const Congruence& truth) {
   EXPECT_EQ(found.negative, truth.negative) << truth.k;
   EXPECT_EQ(found.zero, truth.zero) << truth.k;
   EXPECT_EQ(found.positive, truth.positive) << truth.k;
-  EXPECT_EQ(found.definiteness(), truth.negative > 0 ? Definiteness::indefinite : truth.zero > 0 ? Definiteness::semidefinite : Definiteness::positive);
+  EXPECT_EQ(found.definiteness(), truth.negative > 0 ? Definiteness::indefinite
+                                  : truth.zero > 0   ? Definiteness::semidefinite
+                                                     : Definiteness::positive);
 }
 
 TEST(Definiteness, InertiaAndNullSpaceOfCongruencesInAnyUnits) {

@@ -15,7 +15,8 @@ inline Matrix gaussian(std::mt19937_64& bits, Index rows, Index cols) {
   return a;
 }
 
-/// Makes the first n/2 coordinates in phase with each other and in quadrature with the rest: M and K couple within the groups, G across.
+/// Makes the first n/2 coordinates in phase with each other and in quadrature with the rest: M and K couple within the
+/// groups, G across.
 inline void make_quadrature(Matrix& m, Matrix& g, Matrix& k) {
   const Index p = m.rows() / 2, r = m.rows() - p;
   for (Matrix* a : {&m, &k}) {

@@ -53,11 +53,11 @@ Vector spectrum(Source& s, Index n, std::string& description) {
   Vector d(n);
   const Index shape = s.integer(0, 4);
   for (Index i = 0; i < n; ++i) {
-    if (shape == 0) d(i) = s.between(0.1, 10);                                          // generic
+    if (shape == 0) d(i) = s.between(0.1, 10);                                               // generic
     if (shape == 1) d(i) = static_cast<double>(s.integer(1, 3)) * (1 + 1e-9 * s.uniform());  // clusters
-    if (shape == 2) d(i) = std::pow(10.0, s.between(-6, 6));                             // graded over 12 decades
-    if (shape == 3) d(i) = 1 + std::floor(static_cast<double>(i) / 2);                   // exact pairs
-    if (shape == 4) d(i) = 1;                                                            // all equal
+    if (shape == 2) d(i) = std::pow(10.0, s.between(-6, 6));                                 // graded over 12 decades
+    if (shape == 3) d(i) = 1 + std::floor(static_cast<double>(i) / 2);                       // exact pairs
+    if (shape == 4) d(i) = 1;                                                                // all equal
   }
   static const char* const names[] = {"generic", "clustered", "graded", "pairs", "equal"};
   description += std::string(", ") + names[shape];

@@ -97,8 +97,8 @@ Scrambled scrambled_system(std::uint64_t seed, Index order, double most) {
   const Matrix t = change_of_coordinates(s, a.m.rows(), condition);
   const auto changed = [&](const Matrix& x) { return Matrix(t.transpose() * x * t); };
   constexpr const char* names[] = {"generic", "axisymmetric", "repeated eigenvalues", "copies", "sparse", "weak G"};
-  return {System(a.m, a.g, a.k), System(symmetric_part(changed(a.m)), skew_part(changed(a.g)), symmetric_part(changed(a.k))), condition, kind >= 1 && kind <= 3,
-          std::string(names[kind]) + ", n " + std::to_string(a.m.rows())};
+  return {System(a.m, a.g, a.k), System(symmetric_part(changed(a.m)), skew_part(changed(a.g)), symmetric_part(changed(a.k))), condition,
+          kind >= 1 && kind <= 3, std::string(names[kind]) + ", n " + std::to_string(a.m.rows())};
 }
 
 System with_perturbed_gyroscopic(const System& s, double size, std::uint64_t seed) {

@@ -1,4 +1,5 @@
-// Every promise of System and FirstOrderSystem broken once, and the message read; what is accepted, and that no verdict depends on units.
+// Every promise of System and FirstOrderSystem broken once, and the message read; what is accepted, and that no verdict
+// depends on units.
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
@@ -60,22 +61,36 @@ Departure broken(Change change, std::string message) {
   return {a, std::move(message)};
 }
 
-// Breaches in units: the same at every scale but for the entries quoted. `M` also reads as I, the inertia of first order.
+// Breaches in units: the same at every scale but for the entries quoted. `M` also reads as I, the inertia of first
+// order.
 std::vector<Departure> departures() {
   return {
       broken([](Model& a) { a.m.resize(2, 3); }, "M must be square: it has 2 rows and 3 columns"),
       broken([](Model& a) { a.m.resize(0, 0); }, "M must have at least one coordinate: it is empty"),
       broken([](Model& a) { a.m(0, 1) = infinity; }, "M must be finite: entry (1,2) = inf"),
       broken([](Model& a) { a.m(1, 0) = -infinity; }, "M must be finite: entry (2,1) = -inf"),
-      broken([](Model& a) { a.m(0, 1) = 1.25; }, "M must satisfy M = Mᵀ: entries (1,2) = 1.25 and (2,1) = 1 differ by 0.25, 12 % of the largest entry"),
+      broken([](Model& a) { a.m(0, 1) = 1.25; },
+             "M must satisfy M = Mᵀ: entries (1,2) = 1.25 and (2,1) = 1 differ by 0.25, 12 % of the largest entry"),
       broken([](Model& a) { a.m(1, 1) = 0; }, "M must be positive definite: diagonal entry (2,2) = 0 of coordinate 'y' is not above 0"),
       broken([](Model& a) { a.m(0, 0) = -4; }, "M must be positive definite: diagonal entry (1,1) = -4 of coordinate 'x' is not above 0"),
-      broken([](Model& a) { a.m = Matrix{{1, 1}, {1, 1}}; },
-             "M must be positive definite: scaled to unit diagonal its smallest eigenvalue is 0, not above n ε = 4.4e-16; coordinate 'x' takes part most"),
-      broken([](Model& a) { a.m = Matrix{{1, 2}, {2, 1}}; },
-             "M must be positive definite: scaled to unit diagonal its smallest eigenvalue is -1, not above n ε = 4.4e-16; coordinate 'x' takes part most"),
-      broken([](Model& a) { a.m = Matrix{{1, 1}, {1, 1 + epsilon}}; },
-             "M must be positive definite: scaled to unit diagonal its smallest eigenvalue is 1.11e-16, not above n ε = 4.4e-16; coordinate 'x' takes part most"),
+      broken(
+          [](Model& a) {
+            a.m = Matrix{{1, 1}, {1, 1}};
+          },
+          "M must be positive definite: scaled to unit diagonal its smallest eigenvalue is 0, not above n ε = 4.4e-16; coordinate 'x' "
+          "takes part most"),
+      broken(
+          [](Model& a) {
+            a.m = Matrix{{1, 2}, {2, 1}};
+          },
+          "M must be positive definite: scaled to unit diagonal its smallest eigenvalue is -1, not above n ε = 4.4e-16; coordinate 'x' "
+          "takes part most"),
+      broken(
+          [](Model& a) {
+            a.m = Matrix{{1, 1}, {1, 1 + epsilon}};
+          },
+          "M must be positive definite: scaled to unit diagonal its smallest eigenvalue is 1.11e-16, not above n ε = 4.4e-16; coordinate "
+          "'x' takes part most"),
       broken([](Model& a) { a.g.resize(3, 2); }, "G must be square: it has 3 rows and 2 columns"),
       broken([](Model& a) { a.g.resize(0, 0); }, "G must have at least one coordinate: it is empty"),
       broken([](Model& a) { a.g = Matrix::Zero(3, 3); }, "G must have the order of M: it is 3 × 3, M is 2 × 2"),
@@ -84,11 +99,24 @@ std::vector<Departure> departures() {
              "G must satisfy G = −Gᵀ: entries (1,2) = 3 and (2,1) = -2.5 miss opposite signs by 0.5, 17 % of the largest entry"),
       broken([](Model& a) { a.g(1, 0) = 3; },
              "G must satisfy G = −Gᵀ: entries (1,2) = 3 and (2,1) = 3 miss opposite signs by 6, 2e+02 % of the largest entry"),
-      broken([](Model& a) { a.g(1, 1) = 1.5; }, "G must satisfy G = −Gᵀ: the diagonal entry (2,2) = 1.5 must be 0, it is 50 % of the largest entry"),
+      broken([](Model& a) { a.g(1, 1) = 1.5; },
+             "G must satisfy G = −Gᵀ: the diagonal entry (2,2) = 1.5 must be 0, it is 50 % of the largest entry"),
       broken([](Model& a) { a.labels = {"x"}; }, "labels must name every coordinate once: 1 labels for 2 coordinates"),
-      broken([](Model& a) { a.labels = {"x", ""}; }, "labels must not be empty"),
-      broken([](Model& a) { a.labels = {"x", "y\x1b[31m"}; }, "labels must print on one line: one has a control character"),
-      broken([](Model& a) { a.labels = {"tilt", "tilt"}; }, "labels must differ: 'tilt' is given twice"),
+      broken(
+          [](Model& a) {
+            a.labels = {"x", ""};
+          },
+          "labels must not be empty"),
+      broken(
+          [](Model& a) {
+            a.labels = {"x", "y\x1b[31m"};
+          },
+          "labels must print on one line: one has a control character"),
+      broken(
+          [](Model& a) {
+            a.labels = {"tilt", "tilt"};
+          },
+          "labels must differ: 'tilt' is given twice"),
   };
 }
 
@@ -98,7 +126,8 @@ std::vector<Departure> departures_of_stiffness() {
       broken([](Model& a) { a.k.resize(0, 0); }, "K must have at least one coordinate: it is empty"),
       broken([](Model& a) { a.k = Matrix::Zero(1, 1); }, "K must have the order of M: it is 1 × 1, M is 2 × 2"),
       broken([](Model& a) { a.k(1, 0) = std::nan(""); }, "K must be finite: entry (2,1) = nan"),
-      broken([](Model& a) { a.k(1, 0) = 2.5; }, "K must satisfy K = Kᵀ: entries (1,2) = 3 and (2,1) = 2.5 differ by 0.5, 17 % of the largest entry"),
+      broken([](Model& a) { a.k(1, 0) = 2.5; },
+             "K must satisfy K = Kᵀ: entries (1,2) = 3 and (2,1) = 2.5 differ by 0.5, 17 % of the largest entry"),
   };
 }
 
@@ -173,7 +202,8 @@ TEST(System, RoundingIsTakenAsSymmetricAndReported) {
     EXPECT_NEAR(s.symmetry_errors().gyroscopic, 4 * epsilon, epsilon * epsilon * 100);
     EXPECT_EQ(s.symmetry_errors().stiffness, 4 * epsilon);  // 8 ε over √(4·1)
     EXPECT_EQ(s.mass()(0, 1), unit * (1 + 4 * epsilon));
-    EXPECT_TRUE(s.mass() == s.mass().transpose() && s.gyroscopic() == -s.gyroscopic().transpose() && s.stiffness() == s.stiffness().transpose());
+    EXPECT_TRUE(s.mass() == s.mass().transpose() && s.gyroscopic() == -s.gyroscopic().transpose() &&
+                s.stiffness() == s.stiffness().transpose());
     const FirstOrderSystem f(unit * m, unit * g);
     EXPECT_EQ(f.symmetry_errors().inertia, 2 * epsilon);
     EXPECT_TRUE(f.inertia() == s.mass() && f.gyroscopic() == s.gyroscopic());
@@ -184,14 +214,16 @@ TEST(System, RoundingIsTakenAsSymmetricAndReported) {
 
 TEST(System, SixteenEpsilonIsTheLimitOfRounding) {
   for (const double unit : unit_scales) {
-    const auto with = [&](double departure) { return verdict({unit * Matrix::Identity(2, 2), Matrix::Zero(2, 2), unit * Matrix{{1, departure}, {0, 1}}}); };
+    const auto with = [&](double departure) {
+      return verdict({unit * Matrix::Identity(2, 2), Matrix::Zero(2, 2), unit * Matrix{{1, departure}, {0, 1}}});
+    };
     EXPECT_EQ(with(15 * epsilon), "accepted");
     EXPECT_NE(with(17 * epsilon), "accepted");
   }
 }
 
-// M = SᵀDS with S an integer matrix of determinant 1: positive definite where D > 0, and not where an entry of D is negative. Then every
-// coordinate gets a unit of its own, over 12 decades.
+// M = SᵀDS with S an integer matrix of determinant 1: positive definite where D > 0, and not where an entry of D is
+// negative. Then every coordinate gets a unit of its own, over 12 decades.
 TEST(System, MassIsJudgedAlikeInMixedUnits) {
   std::mt19937_64 random(21);
   std::uniform_int_distribution<int> digit(-1, 1), sign(0, 1);
@@ -270,7 +302,9 @@ TEST(LargestOrder, IsWhatDenseSolversTake) {
     require_order("a model", 20'000);
     ADD_FAILURE() << "accepted";
   } catch (const TooLarge& e) {
-    EXPECT_STREQ(e.what(), "a model of order 20000 is too large: dense models have at most 16383 coordinates; leave coordinates out, or solve parts that nothing couples one by one");
+    EXPECT_STREQ(e.what(),
+                 "a model of order 20000 is too large: dense models have at most 16383 coordinates; leave coordinates out, or solve parts "
+                 "that nothing couples one by one");
   }
 }
 

@@ -25,7 +25,8 @@ MassProperties BeamAppendage::rigid() const {
   return m;
 }
 
-// The κ of larger modulus from the formula, the other from the product κ₁κ₂ = ρ²(ω² − Ω²)²/(E₁E₂); φ from the angle of the symmetric matrix E^−½ ρN E^−½.
+// The κ of larger modulus from the formula, the other from the product κ₁κ₂ = ρ²(ω² − Ω²)²/(E₁E₂); φ from the angle of
+// the symmetric matrix E^−½ ρN E^−½.
 template <class T>
 BeamAppendage::Cantilevers<T> BeamAppendage::decoupled(const T& omega) const {
   const double density = beam_.line_density;
@@ -56,7 +57,8 @@ BeamAppendage::Cantilevers<T> BeamAppendage::decoupled(const T& omega) const {
   return c;
 }
 
-// Rows of the loads 1 and s/l of a cantilever of unit length, times l^(5/2): ρφᵀN(ζ + z(θ2, −θ1)), z = h ± s, with Nζ = Bξ and η = jY.
+// Rows of the loads 1 and s/l of a cantilever of unit length, times l^(5/2): ρφᵀN(ζ + z(θ2, −θ1)), z = h ± s, with Nζ =
+// Bξ and η = jY.
 template <class T>
 BeamAppendage::Rows BeamAppendage::loads(const T& omega, const T (&phi)[2], Complex j) const {
   const SpinOperators<T> f(omega, spin_, j);
@@ -144,7 +146,8 @@ std::vector<ComplexMatrix> BeamAppendage::displaced(double omega, const ComplexV
     const Eigen::Vector2cd load = loads(omega, c.phi[k], Complex(0, 1)) * body;
     const Vector along = answer.phi * cantilever_shape(kappa, 1, tip_ratio_, pole.e1, pole.e2, stations);
     const Vector across = cantilever_shape(kappa, 1, tip_ratio_, -pole.e2, pole.e1, stations);
-    const ComplexVector psi = (-border * own(k) / pole.a) * along.cast<Complex>() + (-pole.e2 * load(0) + pole.e1 * load(1)) * across.cast<Complex>();
+    const ComplexVector psi =
+        (-border * own(k) / pole.a) * along.cast<Complex>() + (-pole.e2 * load(0) + pole.e1 * load(1)) * across.cast<Complex>();
     const double back = std::pow(beam_.length, 1.5);  // ψ of unit length, for loads l^(5/2) ρφᵀN: l⁴ ψ in all
     d.row(0) += back * c.phi[k][0] * psi.transpose();
     d.row(1) += back * c.phi[k][1] * Complex(0, -1) * psi.transpose();  // Y = −jη

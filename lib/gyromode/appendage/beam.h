@@ -6,10 +6,12 @@
 
 namespace gyromode {
 
-/// With η = jY the transverse motion (X, η) relative to the body is real and falls apart into two cantilevers: ρN φ = κEφ, N = [p t; t p], p = ω² + Ω², t = 2ωΩ, E the bending
-/// stiffnesses (docs/booms.md §4). Each feels the loads ρφᵀN of the body's translation and rotation, and keeps one coordinate.
+/// With η = jY the transverse motion (X, η) relative to the body is real and falls apart into two cantilevers: ρN φ =
+/// κEφ, N = [p t; t p], p = ω² + Ω², t = 2ωΩ, E the bending stiffnesses (docs/booms.md §4). Each feels the loads ρφᵀN
+/// of the body's translation and rotation, and keeps one coordinate.
 ///
-/// Where the first cantilever frequency is below the spin, the boom is soft: its fixed-root count then begins with what the spin makes negative.
+/// Where the first cantilever frequency is below the spin, the boom is soft: its fixed-root count then begins with what
+/// the spin makes negative.
 class BeamAppendage : public Appendage {
  public:
   BeamAppendage(const Beam& beam, double spin) : beam_(beam), spin_(spin), tip_ratio_(beam.tip_mass / (beam.line_density * beam.length)) {}

@@ -33,28 +33,33 @@ std::array<T, 8> krylov(const T& kappa, double x) {
   return k;
 }
 
-// ψ = l₁K₄ + l₂K₅ + ψ₂K₂ + ψ₃K₃ with the two conditions at the tip, A(ψ₂, ψ₃) = −R(l₁, l₂), and C = P − Z A⁻¹ R. Sums of terms of one sign but for the determinants; that of
-// Q is φ times the determinant of [A R; Z P].
+// ψ = l₁K₄ + l₂K₅ + ψ₂K₂ + ψ₃K₃ with the two conditions at the tip, A(ψ₂, ψ₃) = −R(l₁, l₂), and C = P − Z A⁻¹ R. Sums
+// of terms of one sign but for the determinants; that of Q is φ times the determinant of [A R; Z P].
 template <class T>
 FieldResponse<T> by_series(const T& kappa, double l, double e) {
   const auto k = krylov(kappa, l);
   Eigen::Matrix<T, 4, 4> m;
-  m << k[0], k[1], k[2], k[3],                                                  // ψ″(l)
+  m << k[0], k[1], k[2], k[3],                                                               // ψ″(l)
       kappa * (k[3] + e * k[2]), k[0] + e * kappa * k[3], k[1] + e * k[0], k[2] + e * k[1],  // ψ‴(l) + ε(κψ + load)
-      k[3] + e * k[2], k[4] + e * k[3], k[5] + e * k[4], k[6] + e * k[5],       // ∫ ψ
-      l * k[3] - k[4] + e * l * k[2], l * k[4] - k[5] + e * l * k[3], l * k[5] - k[6] + e * l * k[4], l * k[6] - k[7] + e * l * k[5];  // ∫ sψ
+      k[3] + e * k[2], k[4] + e * k[3], k[5] + e * k[4], k[6] + e * k[5],                    // ∫ ψ
+      // ∫ sψ
+      l * k[3] - k[4] + e * l * k[2], l * k[4] - k[5] + e * l * k[3], l * k[5] - k[6] + e * l * k[4], l * k[6] - k[7] + e * l * k[5];
   const T phi = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
   Eigen::Matrix<T, 2, 2> adjugate;
   adjugate << m(1, 1), -m(0, 1), -m(1, 0), m(0, 0);
-  const Eigen::Matrix<T, 2, 2> q = phi * m.template bottomRightCorner<2, 2>() - m.template bottomLeftCorner<2, 2>() * adjugate * m.template topRightCorner<2, 2>();
+  const Eigen::Matrix<T, 2, 2> q =
+      phi * m.template bottomRightCorner<2, 2>() - m.template bottomLeftCorner<2, 2>() * adjugate * m.template topRightCorner<2, 2>();
   return {phi, q(0, 0), 0.5 * (q(0, 1) + q(1, 0)), q(1, 1), m.determinant(), T(0), T(0), T(0)};
 }
 
 // φ = Δ/cosh b, zero at the clamped frequencies.
 template <class T>
-T scaled_determinant(const T& b, const T& r) { return 1.0 / std::cosh(b) + std::cos(b) + r * (std::cos(b) * std::tanh(b) - std::sin(b)); }
+T scaled_determinant(const T& b, const T& r) {
+  return 1.0 / std::cosh(b) + std::cos(b) + r * (std::cos(b) * std::tanh(b) - std::sin(b));
+}
 
-// Q = −N/κ², lump = M/κ with N/Δ the dynamic stiffness of the root and M the mass matrix of the rigid beam; hyperbolic functions divided by cosh b, so that nothing overflows.
+// Q = −N/κ², lump = M/κ with N/Δ the dynamic stiffness of the root and M the mass matrix of the rigid beam; hyperbolic
+// functions divided by cosh b, so that nothing overflows.
 template <class T>
 FieldResponse<T> closed_form(const T& kappa, double l, double e) {
   const T beta = std::sqrt(std::sqrt(kappa));
@@ -95,14 +100,15 @@ Vector cantilever_shape(double kappa, double length, double tip_length, double f
   const auto basis = [&](double s) {
     Eigen::Matrix<double, 4, 4> d;  // rows: ψ, ψ′, ψ″, ψ‴
     const double c = std::cos(beta * s), n = std::sin(beta * s), down = std::exp(-beta * s), up = std::exp(beta * (s - length));
-    d << c, n, down, up, -beta * n, beta * c, -beta * down, beta * up, -beta * beta * c, -beta * beta * n, beta * beta * down, beta * beta * up,
-        beta * beta * beta * n, -beta * beta * beta * c, -beta * beta * beta * down, beta * beta * beta * up;
+    d << c, n, down, up, -beta * n, beta * c, -beta * down, beta * up, -beta * beta * c, -beta * beta * n, beta * beta * down,
+        beta * beta * up, beta * beta * beta * n, -beta * beta * beta * c, -beta * beta * beta * down, beta * beta * beta * up;
     return d;
   };
   const Eigen::Matrix4d root = basis(0), tip = basis(length);
   Eigen::Matrix4d conditions;
   conditions << root.row(0), root.row(1), tip.row(2), tip.row(3) + e * kappa * tip.row(0);
-  const Eigen::Vector4d c = small::solve_fully_pivoted(Matrix(conditions), Vector{{first / kappa, second / kappa, 0, 0}});  // −load/κ carries its own load at the tip
+  // −load/κ carries its own load at the tip
+  const Eigen::Vector4d c = small::solve_fully_pivoted(Matrix(conditions), Vector{{first / kappa, second / kappa, 0, 0}});
   Vector shape(static_cast<Index>(stations.size()));
   for (Index i = 0; i < shape.size(); ++i) {
     const double s = stations[static_cast<std::size_t>(i)];

@@ -30,7 +30,8 @@ MassProperties CableGroup::rigid() const {
     MassProperties wire;
     wire.mass = c.mass();
     wire.first = c.first_moment() * e + c.mass() * root;
-    wire.second = c.second_moment() * e * e.transpose() + c.first_moment() * (e * root.transpose() + root * e.transpose()) + c.mass() * root * root.transpose();
+    wire.second = c.second_moment() * e * e.transpose() + c.first_moment() * (e * root.transpose() + root * e.transpose()) +
+                  c.mass() * root * root.transpose();
     all += wire;
   }
   return all;
@@ -60,8 +61,11 @@ CableGroup::Answers<T> CableGroup::answers(const T& omega) const {
   found.in_units[1] = root_m * one_.reach();
   found.out_units[0] = root_m;
   found.out_units[1] = root_m * one_.reach() * root_p;
-  found.in_plane = FieldResponse<T>{found.field[0].value, v0 / p, omega * v1 / p, a * v1, v1 * s * square / (p * p), m0 / p, omega * s / p, T(inertia)}.scaled(1.0 / found.in_units[0], 1.0 / found.in_units[1]);
-  found.out_of_plane = FieldResponse<T>{found.field[1].value, w0, -omega * a * w0, difference * a * w1, -a * w0 * s * square, T(m0), -omega * s, difference * inertia}
+  found.in_plane =
+      FieldResponse<T>{found.field[0].value, v0 / p, omega * v1 / p, a * v1, v1 * s * square / (p * p), m0 / p, omega * s / p, T(inertia)}
+          .scaled(1.0 / found.in_units[0], 1.0 / found.in_units[1]);
+  found.out_of_plane = FieldResponse<T>{found.field[1].value, w0,    -omega * a * w0, difference * a * w1,
+                                        -a * w0 * s * square, T(m0), -omega * s,      difference * inertia}
                            .scaled(1.0 / found.out_units[0], 1.0 / found.out_units[1]);
   return found;
 }
@@ -87,14 +91,16 @@ Eigen::Matrix<Complex, 5, body_coordinates> in_plane_rows(const SpinOperators<T>
 
 }  // namespace
 
-// Σ e_t ∫u dm over the wires, pattern by pattern and motion by motion of the body, so that in phase and in quadrature stay apart: features 1 and 2 are e_t.
+// Σ e_t ∫u dm over the wires, pattern by pattern and motion by motion of the body, so that in phase and in quadrature
+// stay apart: features 1 and 2 are e_t.
 Eigen::Vector2cd CableGroup::first_moment(double omega, const ComplexVector& body, const ComplexVector& own) const {
   const Answers<double> a = answers(omega);
   const Pole<double> pole(a.in_plane);
   const double border = kept(pole, a.in_plane.phi).left;
   const auto motions = in_plane_motions(omega, body);
   Eigen::Vector2cd moment = Eigen::Vector2cd::Zero();
-  for (Index q = 0; q < in_plane_.coupled; ++q) moment -= a.in_units[0] * border * pole.e1 * own(q) * in_plane_.response.row(q).head<2>().transpose();
+  for (Index q = 0; q < in_plane_.coupled; ++q)
+    moment -= a.in_units[0] * border * pole.e1 * own(q) * in_plane_.response.row(q).head<2>().transpose();
   for (Index k = 0; k < 5; ++k) {
     const double answer = k < 4 ? a.in_units[0] * pole.regular11 : a.in_units[1] * pole.regular12;
     moment += a.in_units[0] * answer * motions(k) * in_plane_.gram.col(k).head<2>();
@@ -127,8 +133,9 @@ Index own_poles_below(const Complex&, Index) { return 0; }
 
 // The share of one field in all its patterns; loads(l, k) tells whether feature k belongs to load l.
 template <class T, int features>
-void add_field(const FieldResponse<T>& answer, const T (&units)[2], Index zeros, const Patterns& patterns, const Eigen::Matrix<double, 2, features>& loads,
-               Eigen::Matrix<Complex, features, body_coordinates> right, Eigen::Matrix<Complex, features, body_coordinates> left, Lifted& to, Index first) {
+void add_field(const FieldResponse<T>& answer, const T (&units)[2], Index zeros, const Patterns& patterns,
+               const Eigen::Matrix<double, 2, features>& loads, Eigen::Matrix<Complex, features, body_coordinates> right,
+               Eigen::Matrix<Complex, features, body_coordinates> left, Lifted& to, Index first) {
   for (int i = 0; i < features; ++i) {
     right.row(i) *= units[loads(0, i) != 0 ? 0 : 1];
     left.row(i) *= units[loads(0, i) != 0 ? 0 : 1];
@@ -139,7 +146,8 @@ void add_field(const FieldResponse<T>& answer, const T (&units)[2], Index zeros,
   Eigen::Matrix<Complex, features, features> middle;
   for (int i = 0; i < features; ++i) {
     for (int k = 0; k < features; ++k) {
-      const T regular = loads(0, i) != 0 ? (loads(0, k) != 0 ? pole.regular11 : pole.regular12) : (loads(0, k) != 0 ? pole.regular12 : pole.regular22);
+      const T regular =
+          loads(0, i) != 0 ? (loads(0, k) != 0 ? pole.regular11 : pole.regular12) : (loads(0, k) != 0 ? pole.regular12 : pole.regular22);
       middle(i, k) = -regular * patterns.gram(i, k);
     }
   }
@@ -169,9 +177,11 @@ constexpr std::array<RowKinds, 3> out_of_plane_kinds = [] {
   return std::array<RowKinds, 3>{{{o, o, o, r, o, o}, {o, o, o, o, r, o}, {o, o, r, o, o, o}}};
 }();
 
-// Features meet where their Gram matrix says so; a pattern meets the features that it answers to, of those that reach its kept coordinate; patterns that answer to none are equal.
+// Features meet where their Gram matrix says so; a pattern meets the features that it answers to, of those that reach
+// its kept coordinate; patterns that answer to none are equal.
 template <std::size_t features>
-void couple_field(const Patterns& patterns, const std::array<RowKinds, features>& rows, const std::array<bool, features>& reaches, Couplings& to, Index first) {
+void couple_field(const Patterns& patterns, const std::array<RowKinds, features>& rows, const std::array<bool, features>& reaches,
+                  Couplings& to, Index first) {
   for (std::size_t f = 0; f < features; ++f) {
     for (std::size_t g = 0; g < features; ++g) {
       if (patterns.gram(static_cast<Index>(f), static_cast<Index>(g)) != 0) add_product(to, rows[f], rows[g]);
@@ -196,8 +206,10 @@ template <class T>
 void CableGroup::add_to(const T& omega, Lifted& to, Index first) const {
   const Answers<T> a = answers(omega);
   const SpinOperators<T> plus(omega, spin_, Complex(0, 1)), minus(omega, spin_, Complex(0, -1));
-  add_field<T, 5>(a.in_plane, a.in_units, a.field[0].zeros, in_plane_, in_plane_loads, in_plane_rows(plus), in_plane_rows(minus), to, first);
-  add_field<T, 3>(a.out_of_plane, a.out_units, a.field[1].zeros, out_of_plane_, out_of_plane_loads, out_of_plane_rows(), out_of_plane_rows(), to, first + count());
+  add_field<T, 5>(a.in_plane, a.in_units, a.field[0].zeros, in_plane_, in_plane_loads, in_plane_rows(plus), in_plane_rows(minus), to,
+                  first);
+  add_field<T, 3>(a.out_of_plane, a.out_units, a.field[1].zeros, out_of_plane_, out_of_plane_loads, out_of_plane_rows(),
+                  out_of_plane_rows(), to, first + count());
 }
 
 }  // namespace gyromode

@@ -8,10 +8,12 @@
 
 namespace gyromode {
 
-/// Equal cables, at any azimuths and heights: one field in plane and one out of plane serves all, and they move in Patterns.
+/// Equal cables, at any azimuths and heights: one field in plane and one out of plane serves all, and they move in
+/// Patterns.
 ///
-/// A wire at radius r, displaced in plane by u and out of plane by w relative to the body, feels the loads −ρ(U + rω φ3) and −ρ(ω ξ3 + r(Ω² − ω²)θ_t), with U = e_tᵀ(Bξ + hN(θ2, −θ1)) and
-/// θ_t the rotation about e_t (docs/booms.md §3). It answers with Legendre's functions of λ = 1 + ω²/Ω² and ω²/Ω².
+/// A wire at radius r, displaced in plane by u and out of plane by w relative to the body, feels the loads −ρ(U + rω
+/// φ3) and −ρ(ω ξ3 + r(Ω² − ω²)θ_t), with U = e_tᵀ(Bξ + hN(θ2, −θ1)) and θ_t the rotation about e_t (docs/booms.md §3).
+/// It answers with Legendre's functions of λ = 1 + ω²/Ω² and ω²/Ω².
 class CableGroup : public Appendage {
  public:
   /// `cables` have the same_field().
@@ -49,12 +51,12 @@ class CableGroup : public Appendage {
 
   std::vector<Cable> cables_;
   double spin_;
-  Cable one_;               // any of them, for the field
-  double tip_mass_ratio_;   // μ
-  double unit_;             // bc, of z
-  double z_root_;           // z_a
-  Patterns in_plane_;       // features (−sin α, cos α, −h sin α, h cos α, 1) of U and φ3
-  Patterns out_of_plane_;   // features (−sin α, cos α, 1) of θ_t and ξ3
+  Cable one_;              // any of them, for the field
+  double tip_mass_ratio_;  // μ
+  double unit_;            // bc, of z
+  double z_root_;          // z_a
+  Patterns in_plane_;      // features (−sin α, cos α, −h sin α, h cos α, 1) of U and φ3
+  Patterns out_of_plane_;  // features (−sin α, cos α, 1) of θ_t and ξ3
 };
 
 }  // namespace gyromode

@@ -39,8 +39,9 @@ std::vector<Outline> CableGroup::outlines() const {
   return all;
 }
 
-// In plane u = −U/p − rφ3/ω + AΦ, out of plane w = −ξ3/ω + rθ_t + AΦ, with AΦ(a) what makes the root 0. AΦ(a) = cᵀ(loads); of A itself the part along e is the kept coordinate
-// and the part across it is finite where Φ(a) = 0: c is a row of Q there.
+// In plane u = −U/p − rφ3/ω + AΦ, out of plane w = −ξ3/ω + rθ_t + AΦ, with AΦ(a) what makes the root 0. AΦ(a) =
+// cᵀ(loads); of A itself the part along e is the kept coordinate and the part across it is finite where Φ(a) = 0: c is
+// a row of Q there.
 std::vector<ComplexMatrix> CableGroup::displaced(double omega, const ComplexVector& body, const ComplexVector& own) const {
   const Answers<double> a = answers(omega);
   const Pole<double> in(a.in_plane), out(a.out_of_plane);

@@ -4,10 +4,11 @@
 
 namespace gyromode {
 
-/// Mass m, first moment ∫ p dm and second moment ∫ p pᵀ dm of something frozen in its steady place, about the origin of the heights.
+/// Mass m, first moment ∫ p dm and second moment ∫ p pᵀ dm of something frozen in its steady place, about the origin of
+/// the heights.
 struct MassProperties {
-  double mass = 0;  ///< m, kg
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< ∫ p dm, kg m
+  double mass = 0;                                   ///< m, kg
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();   ///< ∫ p dm, kg m
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  ///< ∫ p pᵀ dm, kg m²
 
   /// Of a point, or of a body with the inertia tensor `central` about its own centre of mass.

@@ -15,7 +15,7 @@ struct Cable {
   double line_density = 0;  ///< kg/m, > 0
   double tip_mass = 0;      ///< kg, ≥ 0
 
-  double reach() const { return radius + length; }  ///< radius of the tip, m
+  double reach() const { return radius + length; }                  ///< radius of the tip, m
   double mass() const { return line_density * length + tip_mass; }  ///< with its tip mass, kg
   /// S = ∫ r dm, kg m. The tension at the root is spin² S.
   double first_moment() const;
@@ -26,7 +26,8 @@ struct Cable {
   bool same_field(const Cable& other) const;
 };
 
-/// An Euler–Bernoulli boom along axis 3, clamped at its root, with a point mass at its tip. It carries no axial load, and its inertia about its own axis is left out.
+/// An Euler–Bernoulli boom along axis 3, clamped at its root, with a point mass at its tip. It carries no axial load,
+/// and its inertia about its own axis is left out.
 struct Beam {
   double root_height = 0;                ///< m, above the origin
   bool upward = true;                    ///< direction of axis 3, or against it
@@ -36,23 +37,24 @@ struct Beam {
   double tip_mass = 0;                   ///< kg, ≥ 0
 
   double mass() const { return line_density * length + tip_mass; }  ///< with its tip mass, kg
-  double way() const { return upward ? 1 : -1; }  ///< 1 upward, −1 downward
+  double way() const { return upward ? 1 : -1; }                    ///< 1 upward, −1 downward
 };
 
-/// A point mass held to the body by three springs along the body axes. An infinite stiffness is a rigid connection in that direction.
+/// A point mass held to the body by three springs along the body axes. An infinite stiffness is a rigid connection in
+/// that direction.
 struct SpringMass {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m, from the origin, where it sits while the satellite spins steadily
-  double mass = 0;                                     ///< kg, > 0
-  Eigen::Vector3d stiffness = Eigen::Vector3d::Zero(); ///< N/m, > 0 or infinite
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< m, from the origin, where it sits while the satellite spins steadily
+  double mass = 0;                                      ///< kg, > 0
+  Eigen::Vector3d stiffness = Eigen::Vector3d::Zero();  ///< N/m, > 0 or infinite
 };
 
 /// A point of a boom or a sprung mass.
 struct BoomPoint {
   /// Of which kind of part.
   enum class Part { cable, beam, mass };
-  Part part = Part::cable;  ///< kind of part
-  Index number = 1;    ///< from 1, in the order of the model
-  double along = 1;    ///< from root, 0, to tip, 1; of no meaning for a mass
+  Part part = Part::cable;   ///< kind of part
+  Index number = 1;          ///< from 1, in the order of the model
+  double along = 1;          ///< from root, 0, to tip, 1; of no meaning for a mass
   std::string name() const;  ///< "cable1@0.5", "mass2"
 };
 

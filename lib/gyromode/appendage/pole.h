@@ -6,7 +6,8 @@
 
 namespace gyromode {
 
-/// How a field of one unknown answers two loads, symmetric 2 × 2: C = Q/φ − lump, with φ = 0 at its fixed-root frequencies, where Q has rank 1: det Q = φ · det.
+/// How a field of one unknown answers two loads, symmetric 2 × 2: C = Q/φ − lump, with φ = 0 at its fixed-root
+/// frequencies, where Q has rank 1: det Q = φ · det.
 template <class T>
 struct FieldResponse {
   T phi;
@@ -16,11 +17,13 @@ struct FieldResponse {
 
   /// C in units in which the loads are divided by s1 and s2.
   FieldResponse scaled(const T& s1, const T& s2) const {
-    return {phi, s1 * s1 * q11, s1 * s2 * q12, s2 * s2 * q22, s1 * s1 * s2 * s2 * det, s1 * s1 * lump11, s1 * s2 * lump12, s2 * s2 * lump22};
+    return {
+        phi, s1 * s1 * q11, s1 * s2 * q12, s2 * s2 * q22, s1 * s1 * s2 * s2 * det, s1 * s1 * lump11, s1 * s2 * lump12, s2 * s2 * lump22};
   }
 };
 
-/// C = e eᵀ a/φ + regular with eᵀe = 1, a the eigenvalue of Q that is larger in modulus: the pole in one direction of the loads. A coordinate x is kept for it,
+/// C = e eᵀ a/φ + regular with eᵀe = 1, a the eigenvalue of Q that is larger in modulus: the pole in one direction of
+/// the loads. A coordinate x is kept for it,
 ///     [ H − Wᵀ regular W   √s Wᵀe ]                  H − Wᵀ C W
 ///     [ √s eᵀW             sφ/a   ]   instead of                     for loads W y.
 template <class T>
@@ -39,7 +42,8 @@ struct Pole {
     e1 = first ? T(root + half) : c.q12;
     e2 = first ? c.q12 : T(root - half);
     if (e1 == T(0) && e2 == T(0)) e1 = 1;  // Q = a 1: any direction
-    const T length = (std::real(e1) < 0 ? -1.0 : 1.0) * std::sqrt(e1 * e1 + e2 * e2);  // one sign, lest borders turn over from one frequency to the next
+    // one sign, lest borders turn over from one frequency to the next
+    const T length = (std::real(e1) < 0 ? -1.0 : 1.0) * std::sqrt(e1 * e1 + e2 * e2);
     e1 /= length;
     e2 /= length;
     const T rest = c.det / a;
@@ -49,7 +53,8 @@ struct Pole {
   }
 };
 
-/// The entries of the kept coordinate: `own` = sφ/a, with √s on either side of its border. Real: s = |a|/√(φ² + a²), bounded and smooth at the pole and far from it.
+/// The entries of the kept coordinate: `own` = sφ/a, with √s on either side of its border. Real: s = |a|/√(φ² + a²),
+/// bounded and smooth at the pole and far from it.
 template <class T>
 struct LiftedEntry {
   T own, left, right;

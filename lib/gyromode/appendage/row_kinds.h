@@ -7,7 +7,8 @@
 
 namespace gyromode {
 
-/// What the entries of a row over the six body coordinates are at real ω: zero at every frequency, real, imaginary, or of both parts.
+/// What the entries of a row over the six body coordinates are at real ω: zero at every frequency, real, imaginary, or
+/// of both parts.
 enum class EntryKind { none, real, imaginary, complex };
 using RowKinds = std::array<EntryKind, body_coordinates>;
 
@@ -20,7 +21,8 @@ inline void add_row(Couplings& to, Index own, const RowKinds& row) {
   }
 }
 
-/// leftᴴ x right and its conjugate transpose, x real, are added to the entries of the body: real times imaginary couples across, kinds alike in phase. No entries of both parts.
+/// leftᴴ x right and its conjugate transpose, x real, are added to the entries of the body: real times imaginary
+/// couples across, kinds alike in phase. No entries of both parts.
 inline void add_product(Couplings& to, const RowKinds& left, const RowKinds& right) {
   for (Index i = 0; i < body_coordinates; ++i) {
     for (Index k = 0; k < body_coordinates; ++k) {

@@ -4,12 +4,14 @@
 
 namespace gyromode {
 
-/// (ξ1, ξ2, ξ3, θ1, θ2, φ3): θ1, θ2 the small rotations of the body; jξ the inertial velocity of the reference point in turning axes, ξ = Bζ with B = [ω, jΩ; −jΩ, ω], ξ3 = ωζ3;
-/// jφ3 = jωθ3 the rate about the spin axis. B² = N = [p, jt; −jt, p], the operator of inertia forces: translation and spin phase, which no force holds, have the constant
-/// entries −m and −J33 in these coordinates, and nothing is lost at ω = Ω or ω → 0.
+/// (ξ1, ξ2, ξ3, θ1, θ2, φ3): θ1, θ2 the small rotations of the body; jξ the inertial velocity of the reference point in
+/// turning axes, ξ = Bζ with B = [ω, jΩ; −jΩ, ω], ξ3 = ωζ3; jφ3 = jωθ3 the rate about the spin axis. B² = N = [p, jt;
+/// −jt, p], the operator of inertia forces: translation and spin phase, which no force holds, have the constant entries
+/// −m and −J33 in these coordinates, and nothing is lost at ω = Ω or ω → 0.
 inline constexpr Index body_coordinates = 6;
 
-/// The numbers that B and N are made of. The formal j is +j for H itself and −j for the left side of a border, so that everything is analytic in a complex ω.
+/// The numbers that B and N are made of. The formal j is +j for H itself and −j for the left side of a border, so that
+/// everything is analytic in a complex ω.
 template <class T>
 struct SpinOperators {
   T omega, p, t;  // p = ω² + Ω², t = 2ωΩ

@@ -17,7 +17,7 @@ Eigen::Matrix<Complex, 3, body_coordinates> rows_of(const SpinOperators<T>& f, c
   r(0, 0) = r(1, 1) = r(2, 2) = -f.omega;
   r(0, 1) = -f.j * f.spin;
   r(1, 0) = f.j * f.spin;
-  r(0, 3) = f.j * f.t * z;   // θ × p = (θ2 z, −θ1 z, θ1 y − θ2 x)
+  r(0, 3) = f.j * f.t * z;  // θ × p = (θ2 z, −θ1 z, θ1 y − θ2 x)
   r(0, 4) = -f.p * z;
   r(1, 3) = f.p * z;
   r(1, 4) = f.j * f.t * z;
@@ -34,7 +34,9 @@ std::array<RowKinds, 3> kinds_of_rows(const Eigen::Vector3d& at) {
   const bool x = at(0) != 0, y = at(1) != 0, z = at(2) != 0;
   const EntryKind r = z ? real : none, i = z ? imaginary : none;
   const EntryKind turned1 = x ? (y ? complex : imaginary) : (y ? real : none), turned2 = x ? (y ? complex : real) : (y ? imaginary : none);
-  return {{{real, imaginary, none, i, r, turned1}, {imaginary, real, none, r, i, turned2}, {none, none, real, y ? real : none, x ? real : none, none}}};
+  return {{{real, imaginary, none, i, r, turned1},
+           {imaginary, real, none, r, i, turned2},
+           {none, none, real, y ? real : none, x ? real : none, none}}};
 }
 
 }  // namespace
@@ -63,7 +65,8 @@ void SpringMassAppendage::add_to(const T& omega, Lifted& to, Index first) const 
   for (Index a = 0; a < coordinates(); ++a) {
     const Index i = sprung_[static_cast<std::size_t>(a)];
     const double s = scale(omega, a);
-    for (Index b = 0; b < coordinates(); ++b) to.matrix(first + a, first + b) = s * scale(omega, b) * -mass_.mass * n(i, sprung_[static_cast<std::size_t>(b)]);
+    for (Index b = 0; b < coordinates(); ++b)
+      to.matrix(first + a, first + b) = s * scale(omega, b) * -mass_.mass * n(i, sprung_[static_cast<std::size_t>(b)]);
     to.matrix(first + a, first + a) += s * s * mass_.stiffness(i);
     to.matrix.row(first + a).head<body_coordinates>() = s * mass_.mass * right.row(i);
     to.matrix.col(first + a).head<body_coordinates>() = s * mass_.mass * left.row(i).transpose();

@@ -5,7 +5,8 @@
 
 namespace gyromode {
 
-/// Its displacement u relative to the body is kept, over √(k + m(ω² + Ω²)) in each direction so that stiff and light ones weigh alike: diag(k) − mN₃ on u, and with the body
+/// Its displacement u relative to the body is kept, over √(k + m(ω² + Ω²)) in each direction so that stiff and light
+/// ones weigh alike: diag(k) − mN₃ on u, and with the body
 ///     −m N₃ (ζ + θ × p) + mΩ² θ × Pp,   N₃ = [p jt 0; −jt p 0; 0 0 ω²],   P = diag(1, 1, 0),
 /// the second from the centrifugal force that the springs carry.
 class SpringMassAppendage : public Appendage {

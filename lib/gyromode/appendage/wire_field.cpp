@@ -25,14 +25,16 @@ struct Reciprocals {
 };
 constexpr Reciprocals inverse;
 
-// Φ and Φ′ at z = 1 − distance with the integrals from there to the tip. A small tip mass starts at 1 − μ: the distance keeps its digits.
+// Φ and Φ′ at z = 1 − distance with the integrals from there to the tip. A small tip mass starts at 1 − μ: the distance
+// keeps its digits.
 template <class T>
 struct March {
   double distance = 0;
   Pair<T> value{}, slope{}, force{}, moment{}, tip{1, 1};
 };
 
-// P_ν = Σ a_k t^k, t = (1 − z)/2, a_{k+1}/a_k = (k(k + 1) − 2λ)/(k + 1)²: the first step from z = 1, where the Taylor series has no radius.
+// P_ν = Σ a_k t^k, t = (1 − z)/2, a_{k+1}/a_k = (k(k + 1) − 2λ)/(k + 1)²: the first step from z = 1, where the Taylor
+// series has no radius.
 template <class T>
 March<T> from_regular_end(const Pair<T>& two_lambda, double largest, double z_root) {
   const double t = std::min({0.25, 1 / std::max(largest, 1e-300), 0.5 * (1 - z_root)});
@@ -73,7 +75,8 @@ March<T> from_tip_mass(const Pair<T>& two_lambda, double ratio) {
   return m;
 }
 
-// By −step along z; the Taylor series about z, c_k: (1 − z²)(k + 2)(k + 1)c_{k+2} = 2z(k + 1)²c_{k+1} + (k(k + 1) − 2λ)c_k. The integrals only where asked for.
+// By −step along z; the Taylor series about z, c_k: (1 − z²)(k + 2)(k + 1)c_{k+2} = 2z(k + 1)²c_{k+1} + (k(k + 1) −
+// 2λ)c_k. The integrals only where asked for.
 template <bool integrals, class T>
 void advance(March<T>& m, const Pair<T>& two_lambda, double step) {
   const double z = 1 - m.distance;
@@ -83,8 +86,8 @@ void advance(March<T>& m, const Pair<T>& two_lambda, double step) {
   Pair<T> before, now, value, slope, force{}, lever{};
   double size = 0;
   for (std::size_t i = 0; i < lanes; ++i) {
-    before[i] = m.value[i];         // c_k h^k, h = −step
-    now[i] = -step * m.slope[i];    // c_{k+1} h^{k+1}
+    before[i] = m.value[i];       // c_k h^k, h = −step
+    now[i] = -step * m.slope[i];  // c_{k+1} h^{k+1}
     value[i] = before[i] + now[i];
     slope[i] = now[i];
     if constexpr (integrals) {
@@ -127,20 +130,24 @@ void advance(March<T>& m, const Pair<T>& two_lambda, double step) {
 }
 
 template <class T>
-Pair<T> twice(const Pair<T>& lambda) { return {2.0 * lambda[0], 2.0 * lambda[1]}; }
+Pair<T> twice(const Pair<T>& lambda) {
+  return {2.0 * lambda[0], 2.0 * lambda[1]};
+}
 
 template <class T>
 March<T> started(const Pair<T>& two_lambda, double largest, double z_root, double tip_mass_ratio) {
   return tip_mass_ratio > 0 ? from_tip_mass(two_lambda, tip_mass_ratio) : from_regular_end(two_lambda, largest, z_root);
 }
 
-// The longest step that turns the phase by less than π, so that it holds one zero at most, and stays within half the radius of the series.
+// The longest step that turns the phase by less than π, so that it holds one zero at most, and stays within half the
+// radius of the series.
 double longest_step(double distance, double largest) {
   const double phase = 2.2 * std::sqrt(distance * (2 - distance)) / std::sqrt(std::max(largest, 1e-300));
   return std::min({0.5 * distance, phase, 0.5});
 }
 
-// Keeps an exponential (λ < 0) within range. A complex λ, of some moderate growing motion, must stay analytic and is left alone.
+// Keeps an exponential (λ < 0) within range. A complex λ, of some moderate growing motion, must stay analytic and is
+// left alone.
 void normalise(March<double>& m) {
   for (std::size_t i = 0; i < lanes; ++i) {
     const double size = std::max(std::abs(m.value[i]), std::abs(m.slope[i]) * m.distance);
@@ -154,7 +161,9 @@ bool below_zero(const Complex&, bool) { return false; }
 
 // (1 − z²)(zΦ′ − Φ) = 2(λ − 1) · moment: of Φ near λ = 1, where it is nearly z, what is left at a root near the axis.
 template <class T>
-T value_near_one(const T& slope, const T& moment, const T& less_one, double z, double w) { return (z * w * slope - 2.0 * less_one * moment) / w; }
+T value_near_one(const T& slope, const T& moment, const T& less_one, double z, double w) {
+  return (z * w * slope - 2.0 * less_one * moment) / w;
+}
 
 template <class T>
 std::array<WireField<T>, lanes> fields(const T& lambda, double z_root, double tip_mass_ratio) {
@@ -172,8 +181,10 @@ std::array<WireField<T>, lanes> fields(const T& lambda, double z_root, double ti
     const double longest = longest_step(m.distance, largest);
     const double left = end - m.distance;
     const bool last = longest >= left;
-    if (many_waves) advance<false>(m, two_lambda, last ? left : longest);
-    else advance<true>(m, two_lambda, last ? left : longest);
+    if (many_waves)
+      advance<false>(m, two_lambda, last ? left : longest);
+    else
+      advance<true>(m, two_lambda, last ? left : longest);
     if (last) m.distance = end;
     normalise(m);
     constexpr double near = 0.25;
@@ -197,9 +208,13 @@ std::array<WireField<T>, lanes> fields(const T& lambda, double z_root, double ti
 
 }  // namespace
 
-std::array<WireField<double>, 2> wire_fields(double lambda, double z_root, double tip_mass_ratio) { return fields(lambda, z_root, tip_mass_ratio); }
+std::array<WireField<double>, 2> wire_fields(double lambda, double z_root, double tip_mass_ratio) {
+  return fields(lambda, z_root, tip_mass_ratio);
+}
 
-std::array<WireField<Complex>, 2> wire_fields(Complex lambda, double z_root, double tip_mass_ratio) { return fields(lambda, z_root, tip_mass_ratio); }
+std::array<WireField<Complex>, 2> wire_fields(Complex lambda, double z_root, double tip_mass_ratio) {
+  return fields(lambda, z_root, tip_mass_ratio);
+}
 
 template <class T>
 std::vector<T> wire_shape(const T& lambda, const std::vector<double>& z, double tip_mass_ratio) {

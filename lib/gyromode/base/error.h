@@ -17,7 +17,8 @@ enum class ExitCode {
   interrupted = 130,
 };
 
-/// Everything that the library throws, but for std::bad_alloc. what() is one line that names the place, the value met and what was expected.
+/// Everything that the library throws, but for std::bad_alloc. what() is one line that names the place, the value met
+/// and what was expected.
 class Error : public std::runtime_error {
  public:
   /// What the program returns for it.
@@ -38,7 +39,8 @@ class InvalidArgument : public Error {
   explicit InvalidArgument(const std::string& message) : Error(ExitCode::wrong_usage, message) {}
 };
 
-/// Input that cannot be read: missing, malformed, of the wrong type or unit, not finite, or of sizes that do not fit. "file:line:column: message".
+/// Input that cannot be read: missing, malformed, of the wrong type or unit, not finite, or of sizes that do not fit.
+/// "file:line:column: message".
 class Unreadable : public Error {
  public:
   /// line and column count from 1; 0 leaves them out.
@@ -47,7 +49,8 @@ class Unreadable : public Error {
   Unreadable(const std::filesystem::path& file, const std::string& message) : Unreadable(file, 0, 0, message) {}
 };
 
-/// A law of mechanics that the input breaks: M not positive definite, K not symmetric, G not skew, an inertia against the triangle inequality. The law, the size of the departure, the place in the matrix.
+/// A law of mechanics that the input breaks: M not positive definite, K not symmetric, G not skew, an inertia against
+/// the triangle inequality. The law, the size of the departure, the place in the matrix.
 class LawBroken : public Error {
  public:
   /// @param message the law and what breaks it

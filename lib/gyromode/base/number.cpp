@@ -9,9 +9,7 @@ namespace gyromode {
 
 namespace {
 
-std::string_view without_plus(std::string_view word) {
-  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
-}
+std::string_view without_plus(std::string_view word) { return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word; }
 
 // Of a decimal number that no double holds: whether it is below 1, so too small rather than too large.
 bool is_below_one(std::string_view number) {
@@ -42,7 +40,8 @@ Parsed parse_real(std::string_view word) {
   std::string with_e;
   if (number.find_first_of("dD") != std::string_view::npos) {  // Fortran's 1.0D+03
     with_e = number;
-    std::replace_if(with_e.begin(), with_e.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
+    std::replace_if(
+        with_e.begin(), with_e.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
     number = with_e;
   }
   double value = 0;

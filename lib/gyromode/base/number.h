@@ -12,8 +12,8 @@ struct Parsed {
   double value = 0;
 };
 
-/// The whole word as a decimal number, by std::from_chars (no locale), with an optional '+' and Fortran's exponent letter D. Too small for a
-/// double is 0; NaN, infinity and too large are `not_finite`.
+/// The whole word as a decimal number, by std::from_chars (no locale), with an optional '+' and Fortran's exponent
+/// letter D. Too small for a double is 0; NaN, infinity and too large are `not_finite`.
 Parsed parse_real(std::string_view word);
 
 /// The whole word as an integer that fits 64 bits, with an optional '+'.

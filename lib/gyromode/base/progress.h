@@ -7,12 +7,15 @@
 
 namespace gyromode {
 
-/// How long work tells where it is, and how it is told to stop. Both may be left empty. `tell` and `stop` are called from the thread that asked for the work, at most some thousand times a second.
+/// How long work tells where it is, and how it is told to stop. Both may be left empty. `tell` and `stop` are called
+/// from the thread that asked for the work, at most some thousand times a second.
 ///
-/// Work that is stopped ends with what is known by then, marked as interrupted in its result; where nothing is known it throws Interrupted.
+/// Work that is stopped ends with what is known by then, marked as interrupted in its result; where nothing is known it
+/// throws Interrupted.
 struct Progress {
-  std::function<void(std::string_view what, Index done, Index all)> tell;  ///< `done` of `all` of what ("cells", "modes"); all = 0 where it is not known
-  std::function<bool()> stop;                                             ///< true: stop soon
+  /// `done` of `all` of what ("cells", "modes"); all = 0 where it is not known
+  std::function<void(std::string_view what, Index done, Index all)> tell;
+  std::function<bool()> stop;  ///< true: stop soon
 
   /// Tells, where anybody listens.
   void report(std::string_view what, Index done, Index all) const {

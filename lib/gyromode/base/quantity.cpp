@@ -16,15 +16,9 @@ struct Unit {
 };
 
 constexpr double pi = std::numbers::pi;
-constexpr Unit frequency_units[] = {{"", 1},
-                                    {"rad/s", 1},
-                                    {"Hz", 2 * pi},
-                                    {"kHz", 2000 * pi},
-                                    {"rpm", pi / 30},
-                                    {"krpm", 1000 * pi / 30},
-                                    {"rev/s", 2 * pi},
-                                    {"1/s", 1},
-                                    {"deg/s", pi / 180}};
+constexpr Unit frequency_units[] = {
+    {"", 1},           {"rad/s", 1}, {"Hz", 2 * pi},     {"kHz", 2000 * pi}, {"rpm", pi / 30}, {"krpm", 1000 * pi / 30},
+    {"rev/s", 2 * pi}, {"1/s", 1},   {"deg/s", pi / 180}};
 constexpr Unit length_units[] = {{"", 1}, {"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"km", 1e3}};
 constexpr Unit angle_units[] = {{"", 1}, {"rad", 1}, {"deg", pi / 180}, {"°", pi / 180}};
 constexpr Unit mass_units[] = {{"", 1}, {"kg", 1}, {"g", 1e-3}, {"t", 1e3}};
@@ -52,12 +46,14 @@ std::string_view trimmed(std::string_view s) {
   return s.substr(0, s.find_last_not_of(blanks) + 1);
 }
 
-// The length of the leading number, where 'e' belongs to it only before a digit or a sign ("5e3 Hz", but "3 eV" would be a unit).
+// The length of the leading number, where 'e' belongs to it only before a digit or a sign ("5e3 Hz", but "3 eV" would
+// be a unit).
 std::size_t number_length(std::string_view s) {
   std::size_t k = 0;
   while (k < s.size()) {
     const char c = s[k];
-    const bool exponent = (c == 'e' || c == 'E') && k > 0 && k + 1 < s.size() && (std::string_view("+-0123456789").find(s[k + 1]) != std::string_view::npos);
+    const bool exponent =
+        (c == 'e' || c == 'E') && k > 0 && k + 1 < s.size() && (std::string_view("+-0123456789").find(s[k + 1]) != std::string_view::npos);
     const bool sign = (c == '+' || c == '-') && (k == 0 || s[k - 1] == 'e' || s[k - 1] == 'E');
     if (!exponent && !sign && c != '.' && !(c >= '0' && c <= '9')) break;
     ++k;

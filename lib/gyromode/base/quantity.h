@@ -6,8 +6,8 @@
 
 namespace gyromode {
 
-/// A frequency as people write it: a number in rad/s, or with a unit: "10 rpm", "5Hz", "2 rad/s", "90 deg/s", "1 rev/s", "3 krpm", "1.2 kHz".
-/// Nothing where the text is none; finite always.
+/// A frequency as people write it: a number in rad/s, or with a unit: "10 rpm", "5Hz", "2 rad/s", "90 deg/s", "1
+/// rev/s", "3 krpm", "1.2 kHz". Nothing where the text is none; finite always.
 std::optional<double> parse_frequency(std::string_view text);
 
 /// What parse_frequency accepts, for messages.
@@ -16,7 +16,8 @@ inline constexpr std::string_view frequency_form = "a number in rad/s, or one wi
 /// What a number of a model file measures, in SI: rad/s, m, rad, kg, kg/m, kg m², N/m, N m².
 enum class Dimension { frequency, length, angle, mass, line_density, inertia, stiffness, bending_stiffness };
 
-/// "25 mm", "1.65 g/m", "90 deg": a number in SI, or with a unit of that dimension. Nothing where the text is none; finite always.
+/// "25 mm", "1.65 g/m", "90 deg": a number in SI, or with a unit of that dimension. Nothing where the text is none;
+/// finite always.
 std::optional<double> parse_quantity(std::string_view text, Dimension dimension);
 /// What it accepts, for messages.
 std::string_view form_of(Dimension dimension);

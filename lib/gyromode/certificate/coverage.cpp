@@ -36,7 +36,8 @@ std::vector<Cut> possible_cuts(const std::vector<CountedRoot>& all, const Window
   return cuts;
 }
 
-// Boundaries between signs, narrowest first as the riskiest, and some of the widest gaps: each costs a factorisation, so a large system gets few. They are a second opinion on roots that were shown to exist one by one.
+// Boundaries between signs, narrowest first as the riskiest, and some of the widest gaps: each costs a factorisation,
+// so a large system gets few. They are a second opinion on roots that were shown to exist one by one.
 std::vector<Cut> chosen_cuts(const std::vector<Cut>& cuts, Index size) {
   const std::size_t most_boundaries = size <= small ? 64 : 2;
   const std::size_t most_gaps = size <= small ? 2 : 1;
@@ -56,7 +57,8 @@ std::optional<std::string> contradiction(const CountedSpectrum& s, const std::ve
   for (const Cut& cut : chosen_cuts(possible_cuts(all, window, s.negative_at_zero(), s.direction()), size)) {
     const Inertia i = s.inertia_at(cut.omega);
     if (i.doubtful() || i.negative == cut.expected) continue;
-    return fmt::format("below ω = {:.6g} the factorisations count {} fewer modes of positive than of negative energy than were found", cut.omega * s.unit(), cut.expected - i.negative);
+    return fmt::format("below ω = {:.6g} the factorisations count {} fewer modes of positive than of negative energy than were found",
+                       cut.omega * s.unit(), cut.expected - i.negative);
   }
   return std::nullopt;
 }
@@ -81,7 +83,8 @@ Coverage coverage_of(const CountedSpectrum& s, const WindowEnds& ends, const std
     return c;
   }
   c.status = CoverageStatus::incomplete;
-  if (const auto doubtful = std::find_if(inside.begin(), inside.end(), [](const CountedRoot& r) { return !r.doubt.empty(); }); doubtful != inside.end()) {
+  if (const auto doubtful = std::find_if(inside.begin(), inside.end(), [](const CountedRoot& r) { return !r.doubt.empty(); });
+      doubtful != inside.end()) {
     c.reason = doubtful->doubt;
     return c;
   }

@@ -11,7 +11,8 @@ namespace gyromode {
 
 namespace {
 
-// How far a backward error of η moves root i, capped where the root is so nearly defective that first order says nothing.
+// How far a backward error of η moves root i, capped where the root is so nearly defective that first order says
+// nothing.
 double movement(const Spectrum& s, const Assessment& a, Index i) {
   return std::min(backward_error(s.size()) * a.sensitivity(i), 1e-5 * s.omega(i));
 }
@@ -23,7 +24,8 @@ Index end_of_cluster(const Spectrum& s, const Assessment& a, Index first) {
   return last;
 }
 
-// A root has the sign of its form where a backward error moves it by a small part of its distance to every other root: then its form is far from zero.
+// A root has the sign of its form where a backward error moves it by a small part of its distance to every other root:
+// then its form is far from zero.
 bool sure(const Spectrum& s, const Assessment& a, Index i) {
   constexpr double small_part = 1e-3;
   const double omega = s.omega(i);
@@ -35,10 +37,12 @@ bool sure(const Spectrum& s, const Assessment& a, Index i) {
 }
 
 // The same for the roots of a cluster, of which only the form on their span counts.
-bool sure_together(const Spectrum& s, const Assessment& a, Index i) { return backward_error(s.size()) * a.sensitivity(i) <= 1e-7 * s.omega(i); }
+bool sure_together(const Spectrum& s, const Assessment& a, Index i) {
+  return backward_error(s.size()) * a.sensitivity(i) <= 1e-7 * s.omega(i);
+}
 
-// Positive minus negative eigenvalues of the form X_cᴴ(2ωM − jG)X_c on the unit shapes of a cluster: its signs, by Sylvester's law, if the shapes are
-// independent and the form regular, both far from doubt.
+// Positive minus negative eigenvalues of the form X_cᴴ(2ωM − jG)X_c on the unit shapes of a cluster: its signs, by
+// Sylvester's law, if the shapes are independent and the form regular, both far from doubt.
 std::optional<Index> signature(const Impedance& h, const Spectrum& s, Index first, Index last) {
   constexpr double regular = 1e-5;
   const Index count = last - first + 1;
@@ -52,15 +56,17 @@ std::optional<Index> signature(const Impedance& h, const Spectrum& s, Index firs
   return (values.array() > 0).count() - (values.array() < 0).count();
 }
 
-// Positive minus negative roots in a cluster: the change of n₋(H) across it, counted as near to it as the factorisations are sure, and no farther than
-// half way to the roots beside it. In a large system, where a factorisation costs, at the widest of these distances only.
+// Positive minus negative roots in a cluster: the change of n₋(H) across it, counted as near to it as the
+// factorisations are sure, and no farther than half way to the roots beside it. In a large system, where a
+// factorisation costs, at the widest of these distances only.
 std::optional<Index> jump(const Impedance& h, const Spectrum& s, const Assessment& a, Index first, Index last) {
   const double before = first > 0 ? s.omega(first - 1) + movement(s, a, first - 1) : 0;
   const double after = last + 1 < s.omega.size() ? s.omega(last + 1) - movement(s, a, last + 1) : 2 * s.omega(last);
   if (!(before < s.omega(first)) || !(after > s.omega(last))) return std::nullopt;
   const double lowest = 0.5 * (before + s.omega(first)), highest = 0.5 * (after + s.omega(last));
   const bool small = s.size() <= 64;
-  const double nearest = small ? 4 : 4096, farthest = small ? 1e15 : 4096;  // near a root of high defect H is singular far beyond what first order tells
+  // near a root of high defect H is singular far beyond what first order tells
+  const double nearest = small ? 4 : 4096, farthest = small ? 1e15 : 4096;
   double below = s.omega(first), above = s.omega(last);
   for (double factor = nearest; factor <= farthest && (below > lowest || above < highest); factor *= 8) {
     below = std::max(s.omega(first) - factor * movement(s, a, first), lowest);
@@ -72,12 +78,14 @@ std::optional<Index> jump(const Impedance& h, const Spectrum& s, const Assessmen
   return std::nullopt;
 }
 
-// Signs of the roots of a cluster: `difference` = p − q of p positive and q negative ones. Pairs of opposite sign get 0 and 0.
+// Signs of the roots of a cluster: `difference` = p − q of p positive and q negative ones. Pairs of opposite sign get 0
+// and 0.
 void assign(EnergySigns& signs, Index first, Index last, Index difference) {
   const Index count = last - first + 1;
   const Index surplus = std::abs(difference);
   if (surplus > count || (count - surplus) % 2 != 0) return;  // contradicts the roots found: the forms stand, and the balance will tell
-  for (Index i = first; i <= last; ++i) signs.sign[static_cast<std::size_t>(i)] = i - first < count - surplus ? 0 : (difference > 0 ? 1 : -1);
+  for (Index i = first; i <= last; ++i)
+    signs.sign[static_cast<std::size_t>(i)] = i - first < count - surplus ? 0 : (difference > 0 ? 1 : -1);
   signs.undecided_pairs += (count - surplus) / 2;
 }
 

@@ -17,8 +17,10 @@ namespace {
 // One root of the upper right quarter with its disc; `at` is its position among the modes, or among the unstable roots.
 struct Disc {
   Complex centre;
-  double bound = 0;   // of the error
-  double radius = 0;  // the same, and not more than `widest` of |λ|: where first order says nothing, how far the roots are is left to the count
+  double bound = 0;  // of the error
+  // the same, and not more than `widest` of |λ|: where first order says nothing, how far the roots are is left to the
+  // count
+  double radius = 0;
   bool mode = false;
   Index at = 0;
 };
@@ -26,7 +28,8 @@ struct Disc {
 std::vector<Disc> discs_of(const Spectrum& s, const Assessment& a) {
   std::vector<Disc> discs;
   for (Index i = 0; i < s.omega.size(); ++i) discs.push_back({{0, s.omega(i)}, a.error_bound(i), 0, true, i});
-  for (Index i = 0; i < s.unstable.count(); ++i) discs.push_back({s.unstable.lambda[static_cast<std::size_t>(i)], a.unstable.error_bound(i), 0, false, i});
+  for (Index i = 0; i < s.unstable.count(); ++i)
+    discs.push_back({s.unstable.lambda[static_cast<std::size_t>(i)], a.unstable.error_bound(i), 0, false, i});
   constexpr double widest = 1e-4;
   for (Disc& d : discs) d.radius = d.bound <= widest * std::abs(d.centre) ? d.bound : widest * std::abs(d.centre);
   std::sort(discs.begin(), discs.end(), [](const Disc& p, const Disc& q) { return p.centre.imag() < q.centre.imag(); });
@@ -66,9 +69,9 @@ bool stands_alone(const Disc& d) {
 // The roots of a group with their mirror images, and how near another root comes to them.
 struct Surroundings {
   Complex centre;
-  double inner = 0;        // of the discs of the group
-  double outer = infinity; // to the nearest other root, image, or 0
-  Index roots = 0;         // with the images inside
+  double inner = 0;         // of the discs of the group
+  double outer = infinity;  // to the nearest other root, image, or 0
+  Index roots = 0;          // with the images inside
 };
 
 std::vector<Complex> images(const Disc& d) {
@@ -96,14 +99,17 @@ Surroundings around(const std::vector<Disc>& discs, const std::vector<std::size_
     const bool inside = std::find(group.begin(), group.end(), i) != group.end();
     for (const Complex& z : images(discs[i])) {
       const double distance = std::abs(z - s.centre);
-      if (inside && distance <= s.inner) ++s.roots;
-      else s.outer = std::min(s.outer, distance);
+      if (inside && distance <= s.inner)
+        ++s.roots;
+      else
+        s.outer = std::min(s.outer, distance);
     }
   }
   return s;
 }
 
-// The radius of a disc about the centre in which the argument principle counts the roots of the group and their images, as small as a few trials find; nothing where none does.
+// The radius of a disc about the centre in which the argument principle counts the roots of the group and their images,
+// as small as a few trials find; nothing where none does.
 std::optional<double> counted(const Impedance& h, const Surroundings& s, double spread) {
   if (!(s.outer > 2 * s.inner)) return std::nullopt;
   const auto holds = [&](double radius) {
@@ -119,7 +125,8 @@ std::optional<double> counted(const Impedance& h, const Surroundings& s, double 
 }
 
 // Roots that were counted together are in the disc: that is their bound.
-void bound_by_disc(const std::vector<Disc>& discs, const std::vector<std::size_t>& group, const Surroundings& s, double radius, Assessment& a) {
+void bound_by_disc(const std::vector<Disc>& discs, const std::vector<std::size_t>& group, const Surroundings& s, double radius,
+                   Assessment& a) {
   for (const std::size_t i : group) {
     const Disc& d = discs[i];
     const double bound = radius + std::abs(d.centre - s.centre);
@@ -132,14 +139,17 @@ void bound_by_disc(const std::vector<Disc>& discs, const std::vector<std::size_t
   }
 }
 
-// A cluster of modes that keeps apart from all others, each with a shape of its own: the bound of its span is as good as a disc.
+// A cluster of modes that keeps apart from all others, each with a shape of its own: the bound of its span is as good
+// as a disc.
 bool independent(const Surroundings& s, const std::vector<Disc>& discs, const std::vector<std::size_t>& group, const Assessment& a) {
   constexpr double small_part = 0.1;
-  return std::all_of(group.begin(), group.end(), [&](std::size_t i) { return discs[i].mode && a.error_bound(discs[i].at) <= small_part * s.outer; });
+  return std::all_of(group.begin(), group.end(),
+                     [&](std::size_t i) { return discs[i].mode && a.error_bound(discs[i].at) <= small_part * s.outer; });
 }
 
 // The same of roots off the axis, with left and right shapes of their own; their bound becomes that of their span.
-bool independent_off_axis(const Impedance& h, const Spectrum& s, const Surroundings& near, const std::vector<Disc>& discs, const std::vector<std::size_t>& group, Assessment& a) {
+bool independent_off_axis(const Impedance& h, const Spectrum& s, const Surroundings& near, const std::vector<Disc>& discs,
+                          const std::vector<std::size_t>& group, Assessment& a) {
   constexpr double small_part = 0.1;
   std::vector<Index> at;
   double nearest_axis = infinity;
@@ -164,10 +174,12 @@ Exhibits exhibited(const Impedance& h, const Spectrum& s, Assessment& a) {
   e.unstable.assign(static_cast<std::size_t>(s.unstable.count()), true);
   const std::vector<Disc> discs = discs_of(s, a);
   for (const auto& group : touching(discs)) {
-    const bool at_rounding = std::all_of(group.begin(), group.end(), [&](std::size_t i) { return discs[i].mode || a.unstable.own_residual(discs[i].at) <= rounding; });
+    const bool at_rounding = std::all_of(group.begin(), group.end(),
+                                         [&](std::size_t i) { return discs[i].mode || a.unstable.own_residual(discs[i].at) <= rounding; });
     if (at_rounding && group.size() == 1 && stands_alone(discs[group[0]])) continue;
     const Surroundings near = around(discs, group);
-    if (at_rounding && group.size() > 1 && (independent(near, discs, group, a) || independent_off_axis(h, s, near, discs, group, a))) continue;
+    if (at_rounding && group.size() > 1 && (independent(near, discs, group, a) || independent_off_axis(h, s, near, discs, group, a)))
+      continue;
     double spread = 0;
     for (const std::size_t i : group) spread = std::max(spread, std::abs(discs[i].centre - near.centre));
     if (const auto radius = counted(h, near, spread)) {
@@ -178,7 +190,9 @@ Exhibits exhibited(const Impedance& h, const Spectrum& s, Assessment& a) {
       if (!discs[i].mode) e.unstable[static_cast<std::size_t>(discs[i].at)] = false;
     }
     e.all = false;
-    if (e.reason.empty()) e.reason = fmt::format("{} near λ = {:.6g} + {:.6g}j could not be shown to exist", group.size() == 1 ? "a root" : fmt::format("{} roots", group.size()), near.centre.real(), near.centre.imag());
+    if (e.reason.empty())
+      e.reason = fmt::format("{} near λ = {:.6g} + {:.6g}j could not be shown to exist",
+                             group.size() == 1 ? "a root" : fmt::format("{} roots", group.size()), near.centre.real(), near.centre.imag());
   }
   return e;
 }

@@ -27,7 +27,8 @@ double far_enough(const CountedSpectrum& s, Index lowest, const Window& requeste
 }  // namespace
 
 FilledWindow lowest_window(const CountedSpectrum& s, Index lowest, const Window& requested, const Progress& progress) {
-  if (lowest > s.most_roots()) throw TooLarge(fmt::format("{} modes were asked for: at most {} are listed at a time; ask for windows", lowest, s.most_roots()));
+  if (lowest > s.most_roots())
+    throw TooLarge(fmt::format("{} modes were asked for: at most {} are listed at a time; ask for windows", lowest, s.most_roots()));
   const double b = s.finite() ? requested.b : std::min(far_enough(s, lowest, requested), requested.b);
   RootRange found = s.roots({requested.a, b}, progress);
   const std::vector<CountedRoot>& all = found.roots;

@@ -24,7 +24,8 @@ ResidualVector residual_of(const Impedance& h, const Products& p, double omega, 
   return {p.k_re.col(i) - w2 * p.m_re.col(i) + omega * p.g_re.col(i), p.k_im.col(i) - w2 * p.m_im.col(i) + omega * p.g_im.col(i)};
 }
 
-// |z_i|² of every row of a vector given by the real and imaginary parts of its rows: one each with a partition, both without.
+// |z_i|² of every row of a vector given by the real and imaginary parts of its rows: one each with a partition, both
+// without.
 Vector squares(const Impedance& h, const Eigen::Ref<const Vector>& re, const Eigen::Ref<const Vector>& im) {
   if (!h.quadrature()) return re.cwiseAbs2() + im.cwiseAbs2();
   Vector all(re.size() + im.size());
@@ -44,14 +45,17 @@ double roundings(Index n) { return (2 + std::sqrt(static_cast<double>(n))) * eps
 
 // X_iᴴ(2ωM − jG)X_k (X_iᴴIX_k in first order).
 Complex form_between(const Impedance& h, const Spectrum& s, const Products& p, Index i, Index k, double omega) {
-  const auto image = [&](const Matrix& m, const Matrix& g) -> Vector { return h.second_order() ? Vector(2 * omega * m.col(k) - g.col(k)) : Vector(m.col(k)); };
+  const auto image = [&](const Matrix& m, const Matrix& g) -> Vector {
+    return h.second_order() ? Vector(2 * omega * m.col(k) - g.col(k)) : Vector(m.col(k));
+  };
   const Vector re = image(p.m_re, p.g_re), im = image(p.m_im, p.g_im);
   const double real = s.re.col(i).dot(re) + s.im.col(i).dot(im);
   return h.quadrature() ? Complex(real, 0) : Complex(real, s.re.col(i).dot(im) - s.im.col(i).dot(re));
 }
 
 // Runs of roots, in order of frequency, whose intervals overlap. own_scale and own_error are those of unit shapes.
-void bound_clusters(const Impedance& h, const Spectrum& s, const Products& p, const Vector& own_scale, const Vector& own_error, Assessment& a) {
+void bound_clusters(const Impedance& h, const Spectrum& s, const Products& p, const Vector& own_scale, const Vector& own_error,
+                    Assessment& a) {
   constexpr Index most = 64;  // a larger run is no cluster but a spectrum that rounding cannot resolve: the single bounds stand
   const Vector single = a.error_bound;
   for (Index first = 0, last; first < s.omega.size(); first = last + 1) {
@@ -64,7 +68,8 @@ void bound_clusters(const Impedance& h, const Spectrum& s, const Products& p, co
     for (Index i = 0; i < count; ++i) {
       const Index at = first + i;
       error2 += std::pow(own_error(at) / own_scale(at), 2);
-      for (Index k = 0; k < count; ++k) gram(i, k) = form_between(h, s, p, at, first + k, s.omega(at)) / std::sqrt(own_scale(at) * own_scale(first + k));
+      for (Index k = 0; k < count; ++k)
+        gram(i, k) = form_between(h, s, p, at, first + k, s.omega(at)) / std::sqrt(own_scale(at) * own_scale(first + k));
     }
     const double bound = std::sqrt(error2) / small::singular_values(gram).minCoeff();
     for (Index i = first; i <= last; ++i) {
@@ -105,6 +110,8 @@ Assessment measure(const Impedance& h, const Spectrum& s, const Products& p, con
   return a;
 }
 
-Assessment measure(const Impedance& h, const Spectrum& s) { return measure(h, s, products(h, s), h.characteristic_products(s.unstable.right)); }
+Assessment measure(const Impedance& h, const Spectrum& s) {
+  return measure(h, s, products(h, s), h.characteristic_products(s.unstable.right));
+}
 
 }  // namespace gyromode

@@ -21,7 +21,9 @@ Assessment::Unstable measure_unstable(const Impedance& h, const UnstableRoots& r
     const auto x = roots.right.col(i), y = roots.left.col(i);
     const Vector weight = h.weight(size);
     const double slope = std::abs(y.dot(p.g.col(i) + 2.0 * lambda * p.m.col(i)));
-    const auto in_own_scale = [&](const ComplexVector& residual, double own) { return std::sqrt((weight.array() > 0).select(residual.cwiseAbs2().cwiseQuotient(weight), 0).sum() / own); };
+    const auto in_own_scale = [&](const ComplexVector& residual, double own) {
+      return std::sqrt((weight.array() > 0).select(residual.cwiseAbs2().cwiseQuotient(weight), 0).sum() / own);
+    };
     const double own_x = weight.dot(x.cwiseAbs2()), own_y = weight.dot(y.cwiseAbs2());
     const double own_scale = std::sqrt(own_x * own_y);
     const Vector of_terms = h.rounding_weight(size);
@@ -30,7 +32,9 @@ Assessment::Unstable measure_unstable(const Impedance& h, const UnstableRoots& r
     a.own_residual(i) = in_own_scale(r, own_x);
     if (!h.quadrature()) {
       const Complex mirrored = -std::conj(lambda);
-      a.own_residual(i) = std::max(a.own_residual(i), in_own_scale(of_left.k.col(i) + mirrored * of_left.g.col(i) + (mirrored * mirrored) * of_left.m.col(i), own_y));
+      a.own_residual(i) =
+          std::max(a.own_residual(i),
+                   in_own_scale(of_left.k.col(i) + mirrored * of_left.g.col(i) + (mirrored * mirrored) * of_left.m.col(i), own_y));
     }
     a.error_bound(i) = (y.cwiseAbs().dot(r.cwiseAbs()) + rounded) / slope;
     a.sensitivity(i) = own_scale / slope;
@@ -55,7 +59,8 @@ double span_bound(const Impedance& h, const UnstableRoots& roots, const std::vec
     const Complex lambda = part.lambda[static_cast<std::size_t>(i)];
     // error_bound · |YᴴN′X| / own scale is the error relative to the own scale, and sensitivity is own scale / |YᴴN′X|.
     error2 += std::pow(a.error_bound(i) / a.sensitivity(i), 2);
-    for (Index k = 0; k < c; ++k) gram(k, i) = part.left.col(k).dot(p.g.col(i) + 2.0 * lambda * p.m.col(i)) / std::sqrt(own_x(i) * own_y(k));
+    for (Index k = 0; k < c; ++k)
+      gram(k, i) = part.left.col(k).dot(p.g.col(i) + 2.0 * lambda * p.m.col(i)) / std::sqrt(own_x(i) * own_y(k));
   }
   return std::sqrt(error2) / small::singular_values(gram).minCoeff();
 }

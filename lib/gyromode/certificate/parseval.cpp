@@ -9,7 +9,8 @@ namespace gyromode {
 
 namespace {
 
-// Always the same numbers, by their own formula: what the standard library's distributions give differs between libraries.
+// Always the same numbers, by their own formula: what the standard library's distributions give differs between
+// libraries.
 Vector random_signs_and_sizes(Index n, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   Vector v(n);
@@ -21,7 +22,9 @@ Vector random_signs_and_sizes(Index n, std::uint64_t seed) {
 struct Parts {
   Vector whole, re, im;
   Parts(const Impedance& h, Vector v)
-      : whole(std::move(v)), re(h.quadrature() ? Vector(whole.head(h.split())) : whole), im(h.quadrature() ? Vector(whole.tail(h.size() - h.split())) : whole) {}
+      : whole(std::move(v)),
+        re(h.quadrature() ? Vector(whole.head(h.split())) : whole),
+        im(h.quadrature() ? Vector(whole.tail(h.size() - h.split())) : whole) {}
 };
 
 // vᵀKv and vᵀMv.
@@ -54,7 +57,8 @@ Shares shares_of_modes(const Spectrum& s, const Products& p, const Parts& a, con
     const Functional& f = p.functional(i);
     norms(i) = f.k + s.omega(i) * s.omega(i) * f.m;
   }
-  return {2 * squares(p.k_re, p.k_im, a).cwiseQuotient(norms), 2 * squares(p.m_re, p.m_im, b).cwiseProduct(s.omega.cwiseAbs2()).cwiseQuotient(norms)};
+  return {2 * squares(p.k_re, p.k_im, a).cwiseQuotient(norms),
+          2 * squares(p.m_re, p.m_im, b).cwiseProduct(s.omega.cwiseAbs2()).cwiseQuotient(norms)};
 }
 
 // ⟨z_−λ̄, z_λ⟩ = YᴴKX − λ²YᴴMX.
@@ -69,7 +73,8 @@ Shares shares_of_unstable(const Impedance& h, const UnstableRoots& roots, const 
     const double members = lambda.imag() == 0 ? 2 : 4;
     const Complex norm = roots.left.col(i).dot(right.k.col(i)) - lambda * lambda * roots.left.col(i).dot(right.m.col(i));
     shares.by_displacement(i) = members * (right.k.col(i).dot(on_a) * std::conj(left.k.col(i).dot(on_a) / norm)).real();
-    shares.by_velocity(i) = members * (std::conj(lambda) * right.m.col(i).dot(on_b) * std::conj(-lambda * left.m.col(i).dot(on_b) / norm)).real();
+    shares.by_velocity(i) =
+        members * (std::conj(lambda) * right.m.col(i).dot(on_b) * std::conj(-lambda * left.m.col(i).dot(on_b) / norm)).real();
   }
   return shares;
 }
@@ -85,7 +90,8 @@ bool no_root_twice(const Impedance& h, const Spectrum& s, const Products& p) {
   const double displacement_open = std::abs(modes.by_displacement.sum() + unstable.by_displacement.sum() - energies(h, a).stiffness);
   const double velocity_open = std::abs(modes.by_velocity.sum() + unstable.by_velocity.sum() - energies(h, b).mass);
   const auto all_noticed = [&](const Shares& x) {
-    return ((x.by_displacement.array().abs() * noticed >= displacement_open) || (x.by_velocity.array().abs() * noticed >= velocity_open)).all();
+    return ((x.by_displacement.array().abs() * noticed >= displacement_open) || (x.by_velocity.array().abs() * noticed >= velocity_open))
+        .all();
   };
   return all_noticed(modes) && all_noticed(unstable);
 }

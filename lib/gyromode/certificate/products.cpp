@@ -5,14 +5,17 @@ namespace gyromode {
 namespace {
 
 // Xᴴ A X for a product AX.
-double form_of(const Spectrum& s, const Matrix& re, const Matrix& im, Index i) { return s.re.col(i).dot(re.col(i)) + s.im.col(i).dot(im.col(i)); }
+double form_of(const Spectrum& s, const Matrix& re, const Matrix& im, Index i) {
+  return s.re.col(i).dot(re.col(i)) + s.im.col(i).dot(im.col(i));
+}
 
 }  // namespace
 
 Products products(const Impedance& h, const Spectrum& s) {
   Products p{h.products(s.re, s.im), {}};
   for (Index i = 0; i < s.omega.size(); ++i) {
-    p.functionals.push_back({form_of(s, p.m_re, p.m_im, i), form_of(s, p.g_re, p.g_im, i), h.second_order() ? form_of(s, p.k_re, p.k_im, i) : 0, h.second_order()});
+    p.functionals.push_back({form_of(s, p.m_re, p.m_im, i), form_of(s, p.g_re, p.g_im, i),
+                             h.second_order() ? form_of(s, p.k_re, p.k_im, i) : 0, h.second_order()});
   }
   return p;
 }

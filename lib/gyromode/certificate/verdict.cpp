@@ -29,7 +29,8 @@ std::string open_reason(const Spectrum& s, const IndexBalance& b, const Exhibits
   if (found != s.size()) return fmt::format("{} of {} roots were found", found, s.size());
   if (s.rank_doubtful) return "the rank of K, or of what G makes of its null space, is not decided: a pivot comes within rounding of zero";
   const Index exhibited_index = b.real_pairs + 2 * b.quadruples + 2 * b.negative_energy;
-  if (s.reduced_negative != exhibited_index) return fmt::format("K has {} negative eigenvalues where the roots found account for {}", s.reduced_negative, exhibited_index);
+  if (s.reduced_negative != exhibited_index)
+    return fmt::format("K has {} negative eigenvalues where the roots found account for {}", s.reduced_negative, exhibited_index);
   return shown.reason;
 }
 
@@ -59,7 +60,8 @@ Verdict verdict_on(const Impedance& h, const Spectrum& s, Assessment& a) {
   v.gap = signs.gap;
   if (h.second_order()) {
     v.balance = balance_of(s, signs);
-    // With K ≥ 0 there is nothing off the axis, counts are plain counts and shapes orthogonal: in a large system that is enough.
+    // With K ≥ 0 there is nothing off the axis, counts are plain counts and shapes orthogonal: in a large system that
+    // is enough.
     constexpr Index costs_nothing = 64;
     Exhibits shown;
     if (s.stiffness_negative > 0 || s.size() <= costs_nothing) shown = exhibited(h, s, a);

@@ -50,8 +50,10 @@ class Ends {
     double below = 0, above = 2 * s_.above_all();
     for (const CountedRoot& r : *all_) {
       if (r.omega > 0 && std::abs(r.omega - omega) <= near * omega) return std::nullopt;
-      if (r.omega < omega) below = std::max(below, r.omega);
-      else above = std::min(above, r.omega);
+      if (r.omega < omega)
+        below = std::max(below, r.omega);
+      else
+        above = std::min(above, r.omega);
     }
     for (const double part : {0.5, 0.25, 0.75, 0.1}) {
       const Inertia at = s_.inertia_at(below + part * (above - below));

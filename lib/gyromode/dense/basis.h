@@ -13,8 +13,9 @@ namespace gyromode::dense {
 inline Matrix orthonormal_basis(const Matrix& y) { return lapack::orthonormal_columns(y); }
 inline ComplexMatrix orthonormal_basis(const ComplexMatrix& y) { return small::orthonormal_columns(y); }
 
-/// A real orthonormal basis, |group| columns, of the span of the eigenvectors of a real matrix at the positions `group`, which holds the conjugate of every
-/// complex one: of a pair the vector with Im > 0 gives its real part, the other its imaginary part.
+/// A real orthonormal basis, |group| columns, of the span of the eigenvectors of a real matrix at the positions
+/// `group`, which holds the conjugate of every complex one: of a pair the vector with Im > 0 gives its real part, the
+/// other its imaginary part.
 inline Matrix real_basis(const ComplexMatrix& vectors, const ComplexVector& values, const std::vector<Index>& group) {
   Matrix span(vectors.rows(), static_cast<Index>(group.size()));
   for (std::size_t k = 0; k < group.size(); ++k) {
@@ -24,7 +25,8 @@ inline Matrix real_basis(const ComplexMatrix& vectors, const ComplexVector& valu
   return orthonormal_basis(span);
 }
 
-/// Coefficients y of a real basis, real up to a phase, made real; those of a complex basis as they are. The second argument says which.
+/// Coefficients y of a real basis, real up to a phase, made real; those of a complex basis as they are. The second
+/// argument says which.
 inline Vector coefficients(const ComplexVector& y, const Matrix&) {
   Index largest = 0;
   y.cwiseAbs().maxCoeff(&largest);

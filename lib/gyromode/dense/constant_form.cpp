@@ -57,7 +57,8 @@ Form by_groups(PhaseGroups g) {
     g.b = (-g.b.transpose()).eval();
   }
   if (g.d1.negative > 0) {
-    throw NotApplicable("K is indefinite in both groups of the partition: the real n × n matrix of such a system, P of theory (T6), is not symmetric");
+    throw NotApplicable(
+        "K is indefinite in both groups of the partition: the real n × n matrix of such a system, P of theory (T6), is not symmetric");
   }
   Form form = from_groups(square_root(g.k1, g.d1.zero), g.b, g.k2, g.to_x, g.to_y);
   form.solver = "W = [fᵀf fᵀb; bᵀf bᵀb + k₂] (T5)";
@@ -72,7 +73,10 @@ Matrix normal_coordinates(const MassNormal& normal) {
 
 Form by_tridiagonal(const Matrix& mass, const Matrix& gyroscopic, const Matrix& stiffness) {
   const StiffnessInertia d = inertia_of_k(stiffness);
-  if (d.negative > 0) throw NotApplicable("K is indefinite, and so is the stiffness of both groups of a quadrature partition, if there is one: a constant real symmetric matrix of order n with eigenvalues ω² is known for K ≥ 0 only");
+  if (d.negative > 0)
+    throw NotApplicable(
+        "K is indefinite, and so is the stiffness of both groups of a quadrature partition, if there is one: a constant real symmetric "
+        "matrix of order n with eigenvalues ω² is known for K ≥ 0 only");
   const Index n = mass.rows();
   const MassNormal normal(mass);
   const Matrix f = square_root(normal.stiffness(stiffness), d.zero);
@@ -111,7 +115,8 @@ Form of_partition(const System& s, const Component& c) {
   to_x.leftCols(to_x.rows()) = normal_coordinates(first);
   to_y.rightCols(to_y.rows()) = normal_coordinates(second);
   const Matrix k1 = s.stiffness()(one, one), k2 = s.stiffness()(two, two);
-  return by_groups({first.stiffness(k1), second.stiffness(k2), first.coupling(s.gyroscopic()(one, two), second), to_x, to_y, inertia_of_k(k1), inertia_of_k(k2)});
+  return by_groups({first.stiffness(k1), second.stiffness(k2), first.coupling(s.gyroscopic()(one, two), second), to_x, to_y,
+                    inertia_of_k(k1), inertia_of_k(k2)});
 }
 
 // A whole K ≥ 0 may be more than its parts by a symmetry show through rounding: then the general form serves.
@@ -121,7 +126,8 @@ Form of_symmetry(const System& s, const Component& c) {
   const Matrix mass = s.mass()(at, at);
   StiffnessInertia d1 = inertia_of_k(r.stiffness1), d2 = inertia_of_k(r.stiffness2);
   if (d1.negative > 0 && d2.negative > 0) return by_tridiagonal(mass, s.gyroscopic()(at, at), s.stiffness()(at, at));
-  return by_groups({r.stiffness1, r.stiffness2, r.coupling, lapack::multiply_tn(r.in_phase, mass), lapack::multiply_tn(r.in_quadrature, mass), std::move(d1), std::move(d2)});
+  return by_groups({r.stiffness1, r.stiffness2, r.coupling, lapack::multiply_tn(r.in_phase, mass),
+                    lapack::multiply_tn(r.in_quadrature, mass), std::move(d1), std::move(d2)});
 }
 
 std::vector<Index> order_of(const Component& c) {
@@ -139,7 +145,9 @@ ConstantForm constant_form(const System& s, const Structure& structure) {
   Index row = 0;
   for (const Component& c : structure.components) {
     const auto& at = c.coordinates;
-    Form form = c.quadrature() ? of_partition(s, c) : c.hidden_quadrature() ? of_symmetry(s, c) : by_tridiagonal(s.mass()(at, at), s.gyroscopic()(at, at), s.stiffness()(at, at));
+    Form form = c.quadrature()          ? of_partition(s, c)
+                : c.hidden_quadrature() ? of_symmetry(s, c)
+                                        : by_tridiagonal(s.mass()(at, at), s.gyroscopic()(at, at), s.stiffness()(at, at));
     const std::vector<Index> order = order_of(c);
     const Index size = form.w.rows();
     whole.w.block(row, row, size, size) = form.w;

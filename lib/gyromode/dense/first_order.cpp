@@ -12,7 +12,8 @@ namespace {
 
 double rank_threshold(Index n, double largest) { return zero_to_rounding(n) * largest; }
 
-// X = (L₁⁻ᵀa, −jL₂⁻ᵀc) for the singular vectors a, c of L₁⁻¹BL₂⁻ᵀ; the constant solutions are the null spaces of Bᵀ and B.
+// X = (L₁⁻ᵀa, −jL₂⁻ᵀc) for the singular vectors a, c of L₁⁻¹BL₂⁻ᵀ; the constant solutions are the null spaces of Bᵀ and
+// B.
 void solve_partitioned(const Impedance& h, Spectrum& s) {
   const MassNormal first(h.mass_rr());
   const MassNormal second(h.mass_ii());

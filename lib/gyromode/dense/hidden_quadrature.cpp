@@ -18,7 +18,8 @@ namespace gyromode::dense {
 
 namespace {
 
-// One group in orthogonal coordinates whose last ones span its part of null(K): k with rows of exact zeros there. Rounding of the change of coordinates cannot make a null space of its own.
+// One group in orthogonal coordinates whose last ones span its part of null(K): k with rows of exact zeros there.
+// Rounding of the change of coordinates cannot make a null space of its own.
 struct Group {
   Matrix basis;  // in_phase or in_quadrature in these coordinates
   Matrix turn;   // Q
@@ -43,13 +44,15 @@ Group with_null_space(const Matrix& basis, const Matrix& k, const Matrix& null) 
   return g;
 }
 
-// b in the coordinates of the groups. What it makes of the two null spaces is NᵀGN of the given matrices, whose rank is decided there, by the terms of its entries; no value where the entries here have another one.
+// b in the coordinates of the groups. What it makes of the two null spaces is NᵀGN of the given matrices, whose rank is
+// decided there, by the terms of its entries; no value where the entries here have another one.
 std::optional<Matrix> turned_coupling(const SecondOrder& m, const Matrix& null, const Matrix& b, const Group& one, const Group& two) {
   Matrix turned = lapack::multiply_tn(one.turn, lapack::multiply(b, two.turn));
   auto corner = turned.bottomRightCorner(one.d.zero, two.d.zero);
   if (corner.size() == 0) return turned;
   const double many = zero_to_rounding(m.size());
-  const Matrix terms = one.basis.rightCols(one.d.zero).cwiseAbs().transpose() * entry_scale(m.gyroscopic) * two.basis.rightCols(two.d.zero).cwiseAbs();
+  const Matrix terms =
+      one.basis.rightCols(one.d.zero).cwiseAbs().transpose() * entry_scale(m.gyroscopic) * two.basis.rightCols(two.d.zero).cwiseAbs();
   corner = (corner.array().abs() <= many * terms.array()).select(0, corner).eval();
   const RankedSkew given = ranked_skew_on(m.gyroscopic, null);
   const Vector values = lapack::singular_value_decomposition(corner).values;
@@ -57,7 +60,8 @@ std::optional<Matrix> turned_coupling(const SecondOrder& m, const Matrix& null, 
   return 2 * rank == static_cast<Index>(given.regular.size()) ? std::optional(turned) : std::nullopt;
 }
 
-// null(K) falls into its parts in the two groups: the singular values of an orthonormal basis restricted to the first are 1 and 0.
+// null(K) falls into its parts in the two groups: the singular values of an orthonormal basis restricted to the first
+// are 1 and 0.
 struct SplitNull {
   Matrix first, second;
 };
@@ -81,7 +85,8 @@ bool solve_second_order(const SecondOrder& m, const ReversingSymmetry& r, Spectr
     whole << r.in_phase, r.in_quadrature;
     null = split_null(lapack::multiply_tn(whole, lapack::multiply(m.mass, d.null_space)), p);
   }
-  const Group one = with_null_space(r.in_phase, r.stiffness1, null.first), two = with_null_space(r.in_quadrature, r.stiffness2, null.second);
+  const Group one = with_null_space(r.in_phase, r.stiffness1, null.first),
+              two = with_null_space(r.in_quadrature, r.stiffness2, null.second);
   if (one.d.negative + two.d.negative != d.negative || one.d.zero + two.d.zero != d.zero) return false;
 
   const auto coupling = turned_coupling(m, d.null_space, r.coupling, one, two);

@@ -49,14 +49,16 @@ struct Split {
 
 Split split_null(const SingularSystem& s, const Matrix& null) {
   const RankedSkew f = ranked_skew_on(s.gyroscopic, null);
-  Split parts{multiply(null, f.null_space), Matrix(s.size(), static_cast<Index>(f.regular.size())), !(f.smallest_kept > 64 * static_cast<double>(s.size()) * epsilon)};
+  Split parts{multiply(null, f.null_space), Matrix(s.size(), static_cast<Index>(f.regular.size())),
+              !(f.smallest_kept > 64 * static_cast<double>(s.size()) * epsilon)};
   std::vector<Index> regular = f.regular;
   std::stable_partition(regular.begin(), regular.end(), [&](Index k) { return in_first_group(s, null.col(k)); });
   for (std::size_t k = 0; k < regular.size(); ++k) parts.ng.col(static_cast<Index>(k)) = null.col(regular[k]);
   return parts;
 }
 
-// The coordinates in which N₀ is regular, as many as it has columns, by elimination with complete pivoting; N₀ is made the unit matrix there.
+// The coordinates in which N₀ is regular, as many as it has columns, by elimination with complete pivoting; N₀ is made
+// the unit matrix there.
 std::vector<Index> pivots_of(Matrix& n0) {
   std::vector<Index> rows;
   std::vector<bool> used(static_cast<std::size_t>(n0.rows()), false);
@@ -83,8 +85,9 @@ std::vector<Index> pivots_of(Matrix& n0) {
   return rows;
 }
 
-// Columns of E combined (E := E R) until A R has no more than one entry a row. The pivot of a row is the column in which it is largest beside the root of the stiffness there: combining then does not bring the
-// stiffness of a stiff coordinate into a soft one.
+// Columns of E combined (E := E R) until A R has no more than one entry a row. The pivot of a row is the column in
+// which it is largest beside the root of the stiffness there: combining then does not bring the stiffness of a stiff
+// coordinate into a soft one.
 Matrix gathered(Matrix& a, const Vector& stiffness_weight) {
   const Index n = a.cols();
   Matrix r = Matrix::Identity(n, n);
@@ -142,8 +145,10 @@ SingularSystem removed(const SingularSystem& s, Matrix n0, Matrix& terms, Deflat
   std::vector<Index> rest;
   Index split = s.split;
   for (Index i = 0; i < n; ++i) {
-    if (std::find(pivots.begin(), pivots.end(), i) == pivots.end()) rest.push_back(i);
-    else if (s.split >= 0 && i < s.split) --split;
+    if (std::find(pivots.begin(), pivots.end(), i) == pivots.end())
+      rest.push_back(i);
+    else if (s.split >= 0 && i < s.split)
+      --split;
   }
   const Matrix m_n0 = multiply(s.mass, n0);
   const lapack::Cholesky m0(symmetric_part(multiply_tn(n0, m_n0)));

@@ -154,13 +154,15 @@ std::optional<Impedance> Impedance::with_null_coordinates() const {
   h.sizes();  // in the new coordinates, but for the norms of what was given and the terms of the sums
   const double time = h.units_.time;
   const Vector rows = h.units_.coordinate.head(p), columns = quadrature() ? Vector(h.units_.coordinate.tail(size() - p)) : rows;
-  const auto terms_of_sums = [](const Matrix& left, const Matrix& a, const Matrix& right, const Vector& row_units, const Vector& column_units, double rate) {
+  const auto terms_of_sums = [](const Matrix& left, const Matrix& a, const Matrix& right, const Vector& row_units,
+                                const Vector& column_units, double rate) {
     Matrix t = left.cwiseAbs().transpose() * entry_scale(a) * right.cwiseAbs();
     change_units_of(t, row_units, column_units, rate);
     return t;
   };
   if (quadrature()) {
-    h.sizes_->terms_m << terms_of_sums(b1, m_rr_, b1, rows, rows, 1).diagonal(), terms_of_sums(b2, m_ii_, b2, columns, columns, 1).diagonal();
+    h.sizes_->terms_m << terms_of_sums(b1, m_rr_, b1, rows, rows, 1).diagonal(),
+        terms_of_sums(b2, m_ii_, b2, columns, columns, 1).diagonal();
     const auto [of_rows, of_columns] = own_weights_of_coupling(terms_of_sums(b1, g_ri_, b2, rows, columns, time));
     h.sizes_->terms_g << of_rows, of_columns;
   } else {
@@ -204,7 +206,9 @@ Matrix Impedance::own_shapes(const Matrix& given) const {
 
 double Impedance::typical_frequency() const { return std::max(std::sqrt(norm_k_ / norm_m_), norm_g_ / norm_m_) / units_.time; }
 
-double Impedance::scale(double omega) const { return second_order_ ? norm_k_ + omega * (norm_g_ + omega * norm_m_) : omega * norm_m_ + norm_g_; }
+double Impedance::scale(double omega) const {
+  return second_order_ ? norm_k_ + omega * (norm_g_ + omega * norm_m_) : omega * norm_m_ + norm_g_;
+}
 double Impedance::given_scale(double omega) const {
   const Sizes& z = sizes();
   return second_order_ ? z.given_k + omega * (z.given_g + omega * z.given_m) : omega * z.given_m + z.given_g;
@@ -243,7 +247,9 @@ ComplexMatrix Impedance::hermitian(double on_k, double on_m, double on_g) const 
 // T⁻¹(jωG)T has the blocks ωB and ωBᵀ; T⁻¹(−jG)T has −B and −Bᵀ.
 Matrix Impedance::real_at(double omega) const { return second_order_ ? star(1, -omega * omega, omega) : star(0, omega, -1); }
 Matrix Impedance::real_slope_at(double omega) const { return second_order_ ? star(0, 2 * omega, -1) : star(0, 1, 0); }
-ComplexMatrix Impedance::complex_at(double omega) const { return second_order_ ? hermitian(1, -omega * omega, omega) : hermitian(0, omega, -1); }
+ComplexMatrix Impedance::complex_at(double omega) const {
+  return second_order_ ? hermitian(1, -omega * omega, omega) : hermitian(0, omega, -1);
+}
 ComplexMatrix Impedance::complex_slope_at(double omega) const { return second_order_ ? hermitian(0, 2 * omega, -1) : hermitian(0, 1, 0); }
 
 ComplexMatrix Impedance::combined(Complex on_k, Complex on_g, Complex on_m) const {

@@ -18,7 +18,8 @@ double margin_of(const Vector& pivots, double terms, double reciprocal_condition
   return std::min(pivots.cwiseAbs().minCoeff() / largest, reciprocal_condition);
 }
 
-// Above all modes −H is positive definite, below all of a stable K > 0 H is: where the diagonal allows it a Cholesky factorisation is tried first. It stops at the first pivot that says no.
+// Above all modes −H is positive definite, below all of a stable K > 0 H is: where the diagonal allows it a Cholesky
+// factorisation is tried first. It stops at the first pivot that says no.
 template <class AnyMatrix>
 std::optional<Inertia> by_cholesky(const AnyMatrix& equilibrated, double terms) {
   constexpr Index worth_it_from = 64;

@@ -39,7 +39,9 @@ StiffnessFactor::StiffnessFactor(const Matrix& k, const StiffnessInertia& known)
 }
 
 // F = E⁻¹ L.
-Matrix StiffnessFactor::scaled_rows(const Vector& d) const { return (d.array() / factor_->scale.array()).matrix().asDiagonal() * factor_->l; }
+Matrix StiffnessFactor::scaled_rows(const Vector& d) const {
+  return (d.array() / factor_->scale.array()).matrix().asDiagonal() * factor_->l;
+}
 
 void StiffnessFactor::to_physical(MatrixSpan s) const {
   lapack::solve_lower_transposed(factor_->l, s);

@@ -9,7 +9,8 @@
 
 namespace gyromode::dense {
 
-/// K = F Fᵀ of a positive definite K (n × n), F lower triangular, from a Cholesky factor of the scaled K: small eigenvalues of a graded K keep their digits.
+/// K = F Fᵀ of a positive definite K (n × n), F lower triangular, from a Cholesky factor of the scaled K: small
+/// eigenvalues of a graded K keep their digits.
 class StiffnessFactor {
  public:
   /// Throws NotConverged where the factorisation fails.
@@ -28,8 +29,8 @@ class StiffnessFactor {
   std::shared_ptr<const PositiveFactor> factor_;
 };
 
-/// Coordinates in which the mass matrix of a group is the unit matrix: q = D L⁻ᵀ z with D M D = L Lᵀ, D the power-of-two scaling to unit
-/// diagonal (so that mixed units cost no digits).
+/// Coordinates in which the mass matrix of a group is the unit matrix: q = D L⁻ᵀ z with D M D = L Lᵀ, D the
+/// power-of-two scaling to unit diagonal (so that mixed units cost no digits).
 class MassNormal {
  public:
   /// m: n × n, positive definite, lower triangle read. Throws NotConverged where the factorisation fails all the same.

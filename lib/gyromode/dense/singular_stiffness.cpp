@@ -16,7 +16,8 @@ namespace gyromode::dense {
 
 namespace {
 
-// f with k = f fᵀ for k ≥ 0 whose null space is spanned by the columns of `null`: f = C·chol(CᵀkC), C its complement. Empty where rounding leaves k indefinite there.
+// f with k = f fᵀ for k ≥ 0 whose null space is spanned by the columns of `null`: f = C·chol(CᵀkC), C its complement.
+// Empty where rounding leaves k indefinite there.
 std::optional<Matrix> semidefinite_root(const Matrix& k, const Matrix& null) {
   const Index n = k.rows();
   const Matrix c = lapack::orthogonal_completion(null).rightCols(n - null.cols());
@@ -46,9 +47,10 @@ ComplexMatrix solve_reduced_quadrature(const Deflation& d, Spectrum& s) {
     made.ask_for({[&normal](MatrixSpan x) { normal.to_physical(x); }, {}});
     return made;
   };
-  QuadratureModes modes = quadrature_modes({first.coupling(m.gyroscopic.topRightCorner(p, r), second),
-                                            block(first, m.stiffness.topLeftCorner(p, p), d.gyroscopic_null.topLeftCorner(p, pairs), d.negative_first),
-                                            block(second, m.stiffness.bottomRightCorner(r, r), d.gyroscopic_null.bottomRightCorner(r, pairs), d.negative_second)});
+  QuadratureModes modes = quadrature_modes(
+      {first.coupling(m.gyroscopic.topRightCorner(p, r), second),
+       block(first, m.stiffness.topLeftCorner(p, p), d.gyroscopic_null.topLeftCorner(p, pairs), d.negative_first),
+       block(second, m.stiffness.bottomRightCorner(r, r), d.gyroscopic_null.bottomRightCorner(r, pairs), d.negative_second)});
   ComplexMatrix shapes(m.size(), modes.omega.size());
   shapes.topRows(p) = modes.x.cast<Complex>();
   shapes.bottomRows(r) = Complex(0, -1) * modes.y.cast<Complex>();
@@ -85,7 +87,9 @@ ComplexMatrix solve_reduced_general(const Deflation& d, Spectrum& s) {
   return shapes;
 }
 
-ComplexVector as_vector(const std::vector<Complex>& lambda) { return Eigen::Map<const ComplexVector>(lambda.data(), static_cast<Index>(lambda.size())); }
+ComplexVector as_vector(const std::vector<Complex>& lambda) {
+  return Eigen::Map<const ComplexVector>(lambda.data(), static_cast<Index>(lambda.size()));
+}
 
 }  // namespace
 

@@ -26,19 +26,23 @@ bool hidden_applies(const Component& component, Method method) {
 void require_reversing_symmetry(const Component& component, const Labels& labels) {
   if (component.quadrature() || component.hidden_quadrature()) return;
   const std::string first = labels[static_cast<std::size_t>(component.coordinates.front())];
-  const std::string why = component.search ? fmt::format("the nearest reflection breaks the commutation rules by {:.2g} of ‖K‖ and ‖G‖, where rounding explains {:.2g}", component.search->departure,
-                                                         component.search->threshold)
-                                           : "none was looked for";
-  throw NotApplicable(fmt::format("method 'hidden' needs a reversing symmetry, which the component of coordinate '{}' does not have: {}; 'auto' or 'general' apply", first, why));
+  const std::string why =
+      component.search
+          ? fmt::format("the nearest reflection breaks the commutation rules by {:.2g} of ‖K‖ and ‖G‖, where rounding explains {:.2g}",
+                        component.search->departure, component.search->threshold)
+          : "none was looked for";
+  throw NotApplicable(fmt::format(
+      "method 'hidden' needs a reversing symmetry, which the component of coordinate '{}' does not have: {}; 'auto' or 'general' apply",
+      first, why));
 }
 
 void require_partition(const Component& component, const Labels& labels) {
   if (component.quadrature()) return;
   const Index first = component.odd_cycle->coordinates.front();
-  throw NotApplicable(
-      fmt::format("method 'quadrature' needs a quadrature partition, which the component of coordinate '{}' does not have (gyromode structure shows "
-                  "why); 'auto' or 'general' apply",
-                  labels[static_cast<std::size_t>(first)]));
+  throw NotApplicable(fmt::format(
+      "method 'quadrature' needs a quadrature partition, which the component of coordinate '{}' does not have (gyromode structure shows "
+      "why); 'auto' or 'general' apply",
+      labels[static_cast<std::size_t>(first)]));
 }
 
 }  // namespace
@@ -82,18 +86,24 @@ Spectrum in_given_units(const AnySystem& system, const Component& component, Met
 Impedance impedance_of(const System& system, const Component& component, Method method) {
   if (method == Method::quadrature) require_partition(component, system.labels());
   if (method == Method::hidden) require_reversing_symmetry(component, system.labels());
-  const bool with_partition = component.quadrature() && (method == Method::automatic || method == Method::quadrature || method == Method::hidden);
-  return Impedance::natural(system, ordered(component, with_partition), with_partition ? static_cast<Index>(component.in_phase.size()) : -1);
+  const bool with_partition =
+      component.quadrature() && (method == Method::automatic || method == Method::quadrature || method == Method::hidden);
+  return Impedance::natural(system, ordered(component, with_partition),
+                            with_partition ? static_cast<Index>(component.in_phase.size()) : -1);
 }
 
 Impedance impedance_of(const FirstOrderSystem& system, const Component& component, Method method) {
   if (method == Method::quadrature) require_partition(component, system.labels());
-  if (method == Method::hidden) throw NotApplicable("method 'hidden' serves second-order models: every first-order model has a reversing symmetry, and 'general' makes use of it");
+  if (method == Method::hidden)
+    throw NotApplicable(
+        "method 'hidden' serves second-order models: every first-order model has a reversing symmetry, and 'general' makes use of it");
   if (method == Method::companion || method == Method::meirovitch) {
-    throw NotApplicable("the classical 2n methods start from M, G, K; a first-order model is solved as it stands: use 'auto', 'quadrature' or 'general'");
+    throw NotApplicable(
+        "the classical 2n methods start from M, G, K; a first-order model is solved as it stands: use 'auto', 'quadrature' or 'general'");
   }
   const bool with_partition = component.quadrature() && method != Method::general;
-  return Impedance::natural(system, ordered(component, with_partition), with_partition ? static_cast<Index>(component.in_phase.size()) : -1);
+  return Impedance::natural(system, ordered(component, with_partition),
+                            with_partition ? static_cast<Index>(component.in_phase.size()) : -1);
 }
 
 Spectrum solve(const Impedance& h, const Component& component, Method method) {
@@ -109,6 +119,8 @@ Spectrum solve(const Impedance& h, const Component& component, Method method) {
 }
 
 Spectrum solve(const System& system, const Component& component, Method method) { return in_given_units(system, component, method); }
-Spectrum solve(const FirstOrderSystem& system, const Component& component, Method method) { return in_given_units(system, component, method); }
+Spectrum solve(const FirstOrderSystem& system, const Component& component, Method method) {
+  return in_given_units(system, component, method);
+}
 
 }  // namespace gyromode::dense

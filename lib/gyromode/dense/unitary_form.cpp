@@ -10,7 +10,8 @@ namespace gyromode::dense {
 
 namespace {
 
-// N = −𝓗², 2n × 2n, skew-Hamiltonian: [A F; E Aᵀ] with E and F skew. With 𝓗 = [−½Γ 1; −(k + ¼ΓᵀΓ) −½Γ]:  A = k − ½Γ²,  F = Γ,  E = −½(kΓ + Γk) + ¼Γ³.
+// N = −𝓗², 2n × 2n, skew-Hamiltonian: [A F; E Aᵀ] with E and F skew. With 𝓗 = [−½Γ 1; −(k + ¼ΓᵀΓ) −½Γ]: A = k − ½Γ², F
+// = Γ, E = −½(kΓ + Γk) + ¼Γ³.
 Matrix negative_square(const Matrix& gamma, const Matrix& k) {
   const Index n = k.rows();
   const Matrix gamma2 = lapack::multiply(gamma, gamma);
@@ -27,13 +28,14 @@ Matrix negative_square(const Matrix& gamma, const Matrix& k) {
 // One orthogonal symplectic step after the other, applied to N from both sides and to U from the right.
 class Reduction {
  public:
-  explicit Reduction(Matrix square) : n_(square.rows() / 2), square_(std::move(square)), u_(Matrix::Identity(2 * n_, 2 * n_)), work_(2 * n_) {}
+  explicit Reduction(Matrix square)
+      : n_(square.rows() / 2), square_(std::move(square)), u_(Matrix::Identity(2 * n_, 2 * n_)), work_(2 * n_) {}
 
   void run() {
     for (Index j = 0; j + 1 < n_; ++j) {
       reflect(square_.col(j).segment(n_ + j + 1, n_ - j - 1), j + 1);  // E below its diagonal: one entry left
-      rotate(j);                                                      // and that one into A
-      reflect(square_.col(j).segment(j + 1, n_ - j - 1), j + 1);      // A below its subdiagonal
+      rotate(j);                                                       // and that one into A
+      reflect(square_.col(j).segment(j + 1, n_ - j - 1), j + 1);       // A below its subdiagonal
     }
   }
 

@@ -19,7 +19,9 @@ Index position(const System& twin, const std::string& label) {
 }
 
 template <class Parts>
-const auto& part(const Parts& parts, Index number) { return parts[static_cast<std::size_t>(number - 1)]; }
+const auto& part(const Parts& parts, Index number) {
+  return parts[static_cast<std::size_t>(number - 1)];
+}
 
 // Which element, and where in it.
 struct Place {
@@ -60,8 +62,11 @@ void add_beam_point(const Beam& b, const Mesh& mesh, const System& twin, const B
 }  // namespace
 
 void require_point(const Spacecraft& s, const BoomPoint& p) {
-  const std::size_t count = p.part == BoomPoint::Part::cable ? s.cables().size() : p.part == BoomPoint::Part::beam ? s.beams().size() : s.masses().size();
-  if (p.number < 1 || static_cast<std::size_t>(p.number) > count) throw InvalidArgument(fmt::format("{}: the spacecraft has {} of that kind", p.name(), count));
+  const std::size_t count = p.part == BoomPoint::Part::cable  ? s.cables().size()
+                            : p.part == BoomPoint::Part::beam ? s.beams().size()
+                                                              : s.masses().size();
+  if (p.number < 1 || static_cast<std::size_t>(p.number) > count)
+    throw InvalidArgument(fmt::format("{}: the spacecraft has {} of that kind", p.name(), count));
   if (!(p.along >= 0 && p.along <= 1)) throw InvalidArgument(fmt::format("{}: a place from 0 (root) to 1 (tip) was expected", p.name()));
 }
 
@@ -83,7 +88,8 @@ Matrix relative_displacement(const Spacecraft& s, const Mesh& mesh, const System
   if (p.part == BoomPoint::Part::beam) add_beam_point(part(s.beams(), p.number), mesh, twin, p, map);
   if (p.part == BoomPoint::Part::mass) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (std::isfinite(part(s.masses(), p.number).stiffness(axis))) map(axis, position(twin, fmt::format("mass{}.u{}", p.number, axis + 1))) = 1;
+      if (std::isfinite(part(s.masses(), p.number).stiffness(axis)))
+        map(axis, position(twin, fmt::format("mass{}.u{}", p.number, axis + 1))) = 1;
     }
   }
   return map;

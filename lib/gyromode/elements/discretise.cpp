@@ -95,7 +95,8 @@ void add_beam(QuadraticEnergy& e, const Beam& b, double centre, Numbering& n, In
   for (int plane = 0; plane < 2; ++plane) node[plane].push_back({-1, -1});
   for (Index k = 1; k <= elements; ++k) {
     for (int plane = 0; plane < 2; ++plane) {
-      node[plane].push_back({n.take(fmt::format("beam{}.u{}.{}", beam, plane + 1, k)), n.take(fmt::format("beam{}.slope{}.{}", beam, plane + 1, k))});
+      node[plane].push_back(
+          {n.take(fmt::format("beam{}.u{}.{}", beam, plane + 1, k)), n.take(fmt::format("beam{}.slope{}.{}", beam, plane + 1, k))});
     }
   }
   const auto form = [&](int plane, Index k, const Eigen::Vector4d& shape) {
@@ -133,7 +134,8 @@ void add_masses(QuadraticEnergy& e, const Spacecraft& s, Numbering& n) {
 }
 
 Index coordinates_of(const Spacecraft& s, const Mesh& mesh) {
-  Index n = body + static_cast<Index>(s.cables().size()) * 2 * mesh.elements * mesh.degree + static_cast<Index>(s.beams().size()) * 4 * mesh.elements * mesh.degree;
+  Index n = body + static_cast<Index>(s.cables().size()) * 2 * mesh.elements * mesh.degree +
+            static_cast<Index>(s.beams().size()) * 4 * mesh.elements * mesh.degree;
   for (const SpringMass& m : s.masses()) n += m.stiffness.array().isFinite().count();
   require_order(fmt::format("the twin with {} elements a cable", mesh.elements), n);
   return n;
@@ -158,10 +160,12 @@ Twin twin_of(const Spacecraft& s, const Mesh& mesh) {
     const CableNodes nodes = number_cable(n, static_cast<Index>(i) + 1, mesh);
     add_cable(e, s.cables()[i], s.centre(), s.spin(), nodes, mesh);
   }
-  for (std::size_t i = 0; i < s.beams().size(); ++i) add_beam(e, s.beams()[i], s.centre(), n, static_cast<Index>(i) + 1, mesh.elements * mesh.degree);
+  for (std::size_t i = 0; i < s.beams().size(); ++i)
+    add_beam(e, s.beams()[i], s.centre(), n, static_cast<Index>(i) + 1, mesh.elements * mesh.degree);
   add_masses(e, s, n);
   const Matrix onto = -e.mass().topRightCorner(3, e.mass().cols() - 3) / s.rigid().mass;
-  Matrix m = without_translation(e.mass(), onto), g = without_translation(e.gyroscopic(), onto), k = without_translation(e.stiffness(), onto);
+  Matrix m = without_translation(e.mass(), onto), g = without_translation(e.gyroscopic(), onto),
+         k = without_translation(e.stiffness(), onto);
   k.row(2).setZero();
   k.col(2).setZero();
   Labels labels{"theta1", "theta2", "theta3"};

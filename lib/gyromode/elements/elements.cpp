@@ -8,7 +8,8 @@ namespace gyromode {
 
 namespace {
 
-// Golub & Welsch: nodes from the Jacobi matrix with off-diagonals b_k, weights from the first components of its vectors.
+// Golub & Welsch: nodes from the Jacobi matrix with off-diagonals b_k, weights from the first components of its
+// vectors.
 GaussRule from_jacobi(const Vector& off_diagonal) {
   const Index n = off_diagonal.size() + 1;
   Matrix jacobi = Matrix::Zero(n, n);

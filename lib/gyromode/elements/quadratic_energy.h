@@ -17,9 +17,11 @@ struct LinearForm {
   }
 };
 
-/// M, G, K of small motion about steady rotation Ω about axis 3, summed from energies. Coordinates: ζ (3), θ (3), then those of the flexible parts.
+/// M, G, K of small motion about steady rotation Ω about axis 3, summed from energies. Coordinates: ζ (3), θ (3), then
+/// those of the flexible parts.
 ///
-/// A mass point at p with displacement r₁ = ζ + θ × p + u relative to turning axes, first order, and r₂ = ½θ × (θ × p) + θ × u + f, second order (f: foreshortening), has
+/// A mass point at p with displacement r₁ = ζ + θ × p + u relative to turning axes, first order, and r₂ = ½θ × (θ × p)
+/// + θ × u + f, second order (f: foreshortening), has
 ///     L = ½m|ṙ₁ + Ω × r₁|² + mΩ² (Pp)·r₂,   P = diag(1, 1, 0);
 /// nothing else is used: no field equation, no impedance.
 class QuadraticEnergy {

@@ -28,8 +28,11 @@ System reduced(const System& s, const std::vector<Index>& rest, double m33, cons
 }  // namespace
 
 WithoutSpinPhase::WithoutSpinPhase(const System& whole, Index cyclic)
-    : cyclic_(cyclic), m33_(whole.mass()(cyclic, cyclic)), m3_(whole.mass()(all_but(whole.size(), cyclic), cyclic)),
-      g3_(whole.gyroscopic().transpose()(all_but(whole.size(), cyclic), cyclic)), system_(reduced(whole, all_but(whole.size(), cyclic), m33_, m3_, g3_)) {}
+    : cyclic_(cyclic),
+      m33_(whole.mass()(cyclic, cyclic)),
+      m3_(whole.mass()(all_but(whole.size(), cyclic), cyclic)),
+      g3_(whole.gyroscopic().transpose()(all_but(whole.size(), cyclic), cyclic)),
+      system_(reduced(whole, all_but(whole.size(), cyclic), m33_, m3_, g3_)) {}
 
 // m₃₃ jω θ₃ = −(jω m₃ + g₃)ᵀ q.
 ComplexVector WithoutSpinPhase::restored(const ComplexVector& shape, double omega) const {

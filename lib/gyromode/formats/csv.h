@@ -13,7 +13,8 @@ struct CsvRow {
   std::vector<std::string> fields;  ///< blanks around them taken off, quotes of RFC 4180 undone
 };
 
-/// The rows of a CSV text that are not blank and do not start with '#'. Throws Unreadable for a quote that is not closed on its line.
+/// The rows of a CSV text that are not blank and do not start with '#'. Throws Unreadable for a quote that is not
+/// closed on its line.
 std::vector<CsvRow> csv_rows(std::string_view text, const std::filesystem::path& file);
 
 /// A field as RFC 4180 quotes it.

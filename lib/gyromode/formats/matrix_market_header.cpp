@@ -33,8 +33,7 @@ std::size_t choice(const Lines& lines, std::string_view what, std::string_view w
   const std::string lower = lower_case(word);
   const auto found = std::find(known.begin(), known.end(), lower);
   if (found == known.end()) {
-    lines.fail(fmt::format("{} '{}' is not read{}: {} was expected", what, shown(word), reason_to_refuse(lower),
-                           fmt::join(known, " or ")));
+    lines.fail(fmt::format("{} '{}' is not read{}: {} was expected", what, shown(word), reason_to_refuse(lower), fmt::join(known, " or ")));
   }
   return static_cast<std::size_t>(found - known.begin());
 }
@@ -86,9 +85,10 @@ Size read_size(Lines& lines, const Banner& banner) {
   }
   size.entries = read_size_number(lines, "number of entries", words[2], 0, std::numeric_limits<Index>::max());
   if (!fits_dense(size.rows, size.cols, size.entries)) {
-    lines.fail(fmt::format("size {} x {} with {} entries is not read as a dense matrix of {:.3g} GB: at most 0.268 GB, or sides up to "
-                           "46000 and an entry for each row or column was expected",
-                           size.rows, size.cols, size.entries, 8e-9 * static_cast<double>(size.rows) * static_cast<double>(size.cols)));
+    lines.fail(
+        fmt::format("size {} x {} with {} entries is not read as a dense matrix of {:.3g} GB: at most 0.268 GB, or sides up to "
+                    "46000 and an entry for each row or column was expected",
+                    size.rows, size.cols, size.entries, 8e-9 * static_cast<double>(size.rows) * static_cast<double>(size.cols)));
   }
   return size;
 }

@@ -1,4 +1,5 @@
-// Format: R. F. Boisvert, R. Pozo, K. A. Remington, The Matrix Market Exchange Formats: Initial Design, NISTIR 5935, 1996.
+// Format: R. F. Boisvert, R. Pozo, K. A. Remington, The Matrix Market Exchange Formats: Initial Design, NISTIR 5935,
+// 1996.
 #include "gyromode/formats/matrix_market.h"
 
 #include "gyromode/base/error.h"
@@ -46,7 +47,8 @@ double integer_value(const Lines& lines, std::string_view word) {
   return static_cast<double>(*value);
 }
 
-// Reads the data lines with `read_line()`. Their number is the one promised, or this throws; memory grows with the text alone.
+// Reads the data lines with `read_line()`. Their number is the one promised, or this throws; memory grows with the text
+// alone.
 template <class Item, class ReadLine>
 std::vector<Item> read_data(Lines& lines, const Size& size, std::string_view what, ReadLine read_line) {
   std::vector<Item> items;

@@ -34,7 +34,9 @@ std::string read_text(const std::filesystem::path& file, std::string_view what) 
       const auto line = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
       throw Unreadable(file, line, 0, fmt::format("byte '\\x00' is not text: this is a binary file, a {} file was expected", what));
     }
-    if (text.size() > most) throw Unreadable(file, fmt::format("is larger than {} GiB{}: more than a dense model can need", most / gibibyte, regular ? "" : " and no regular file"));
+    if (text.size() > most)
+      throw Unreadable(file, fmt::format("is larger than {} GiB{}: more than a dense model can need", most / gibibyte,
+                                         regular ? "" : " and no regular file"));
   } while (in);
   if (in.bad()) throw Unreadable(file, fmt::format("cannot be read beyond byte {}", text.size()));
   return text;

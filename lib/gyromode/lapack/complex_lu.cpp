@@ -17,7 +17,9 @@ ComplexLu::ComplexLu(ComplexMatrix a) : factors_(std::move(a)), pivots_(static_c
 ComplexMatrix ComplexLu::back_substitute(ComplexMatrix b, char which) const {
   if (b.size() == 0) return b;
   const int order = dimension(factors_.rows(), "zgetrs");
-  require_success(LAPACKE_zgetrs_work(LAPACK_COL_MAJOR, which, order, dimension(b.cols(), "zgetrs"), factors_.data(), order, pivots_.data(), b.data(), order), "zgetrs", "");
+  require_success(LAPACKE_zgetrs_work(LAPACK_COL_MAJOR, which, order, dimension(b.cols(), "zgetrs"), factors_.data(), order, pivots_.data(),
+                                      b.data(), order),
+                  "zgetrs", "");
   return b;
 }
 

@@ -15,8 +15,8 @@ namespace {
 
 // Into the rows and columns [first, first + n) of `vectors`.
 int solve_part(Vector& d, Vector& e, Matrix& vectors, Index first, Index n) {
-  return LAPACKE_dstedc(LAPACK_COL_MAJOR, 'I', dimension(n, "dstedc", largest_order(1, 4, 1)), d.data() + first, e.data() + first, &vectors(first, first),
-                        static_cast<int>(vectors.rows()));
+  return LAPACKE_dstedc(LAPACK_COL_MAJOR, 'I', dimension(n, "dstedc", largest_order(1, 4, 1)), d.data() + first, e.data() + first,
+                        &vectors(first, first), static_cast<int>(vectors.rows()));
 }
 
 void require_converged(int info) { require_success(info, "dstedc", "an eigenvalue of a sub-block did not converge"); }

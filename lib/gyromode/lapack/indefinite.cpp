@@ -25,7 +25,8 @@ IndefiniteFactor<Scalar> factorise(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::
 }
 
 template <class Scalar, class Routine>
-auto back_substitute(const IndefiniteFactor<Scalar>& f, Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> b, Routine routine, const char* name) {
+auto back_substitute(const IndefiniteFactor<Scalar>& f, Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> b, Routine routine,
+                     const char* name) {
   if (b.size() == 0) return b;
   const int order = dimension(f.factor.rows(), name);
   const int info =
@@ -48,8 +49,8 @@ double estimated_condition(const IndefiniteFactor<Scalar>& f, double norm, Routi
 
 IndefiniteFactor<double> factor_indefinite(Matrix a) { return factorise<double>(std::move(a), LAPACKE_dsytrf, "dsytrf"); }
 
-// zgemv of OpenBLAS 0.3.21 (Haswell kernel) reads a column beyond the end of the matrix it is given, and zhetrf gives it A and the workspace: both get
-// columns to spare.
+// zgemv of OpenBLAS 0.3.21 (Haswell kernel) reads a column beyond the end of the matrix it is given, and zhetrf gives
+// it A and the workspace: both get columns to spare.
 IndefiniteFactor<Complex> factor_indefinite(ComplexMatrix a) {
   const Index n = a.rows();
   const auto with_spare_workspace = [n](int layout, char part, int order, Complex* matrix, int stride, int* pivots) {
@@ -61,21 +62,24 @@ IndefiniteFactor<Complex> factor_indefinite(ComplexMatrix a) {
   return factorise<Complex>(std::move(a), with_spare_workspace, "zhetrf");
 }
 
-
 Matrix solve(const IndefiniteFactor<double>& f, Matrix b) { return back_substitute(f, std::move(b), LAPACKE_dsytrs, "dsytrs"); }
 ComplexMatrix solve(const IndefiniteFactor<Complex>& f, ComplexMatrix b) {
   const Index columns = b.cols();
   b.conservativeResizeLike(ComplexMatrix::Zero(b.rows(), columns + spare_columns));
   const int count = dimension(columns, "zhetrs");
-  const auto of_given = [count](int layout, char part, int order, int, const Complex* factor, int stride, const int* pivots, Complex* x, int x_stride) {
+  const auto of_given = [count](int layout, char part, int order, int, const Complex* factor, int stride, const int* pivots, Complex* x,
+                                int x_stride) {
     return LAPACKE_zhetrs_work(layout, part, order, count, factor, stride, pivots, x, x_stride);
   };
   return back_substitute(f, std::move(b), of_given, "zhetrs").leftCols(columns);
 }
 
-
-double reciprocal_condition(const IndefiniteFactor<double>& f, double norm) { return estimated_condition(f, norm, LAPACKE_dsycon, "dsycon"); }
-double reciprocal_condition(const IndefiniteFactor<Complex>& f, double norm) { return estimated_condition(f, norm, LAPACKE_zhecon, "zhecon"); }
+double reciprocal_condition(const IndefiniteFactor<double>& f, double norm) {
+  return estimated_condition(f, norm, LAPACKE_dsycon, "dsycon");
+}
+double reciprocal_condition(const IndefiniteFactor<Complex>& f, double norm) {
+  return estimated_condition(f, norm, LAPACKE_zhecon, "zhecon");
+}
 
 template <class Scalar>
 Vector pivot_values(const IndefiniteFactor<Scalar>& f) {

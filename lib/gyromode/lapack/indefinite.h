@@ -10,7 +10,7 @@ namespace gyromode::lapack {
 template <class Scalar>
 struct IndefiniteFactor {
   Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> factor;  ///< L and D in the first n columns of n rows
-  std::vector<int> pivots;  ///< LAPACK's ipiv: two equal negative numbers mark a 2 × 2 block
+  std::vector<int> pivots;                                       ///< LAPACK's ipiv: two equal negative numbers mark a 2 × 2 block
 };
 
 IndefiniteFactor<double> factor_indefinite(Matrix a);

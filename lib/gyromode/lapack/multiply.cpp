@@ -25,10 +25,11 @@ void multiply_into(MatrixSpan c, double alpha, const MatrixView& a, bool transpo
               dimension(b.outerStride(), "dgemm"), beta, c.data(), dimension(c.outerStride(), "dgemm"));
 }
 
-void multiply_add(Eigen::Ref<Vector> y, double alpha, const MatrixView& a, bool transpose, const Eigen::Ref<const Vector, 0, Eigen::InnerStride<>>& x) {
+void multiply_add(Eigen::Ref<Vector> y, double alpha, const MatrixView& a, bool transpose,
+                  const Eigen::Ref<const Vector, 0, Eigen::InnerStride<>>& x) {
   if (a.size() == 0) return;
-  cblas_dgemv(CblasColMajor, transpose ? CblasTrans : CblasNoTrans, dimension(a.rows(), "dgemv"), dimension(a.cols(), "dgemv"), alpha, a.data(),
-              dimension(a.outerStride(), "dgemv"), x.data(), dimension(x.innerStride(), "dgemv"), 1, y.data(), 1);
+  cblas_dgemv(CblasColMajor, transpose ? CblasTrans : CblasNoTrans, dimension(a.rows(), "dgemv"), dimension(a.cols(), "dgemv"), alpha,
+              a.data(), dimension(a.outerStride(), "dgemv"), x.data(), dimension(x.innerStride(), "dgemv"), 1, y.data(), 1);
 }
 
 Matrix multiply(const MatrixView& a, const MatrixView& b) {
@@ -44,8 +45,9 @@ ComplexMatrix complex_product(const ComplexMatrix& a, CBLAS_TRANSPOSE transpose_
   ComplexMatrix c = ComplexMatrix::Zero(rows, b.cols());
   if (c.size() == 0 || inner == 0) return c;
   const Complex one(1), zero(0);
-  cblas_zgemm(CblasColMajor, transpose_a, CblasNoTrans, dimension(rows, "zgemm"), dimension(b.cols(), "zgemm"), dimension(inner, "zgemm"), &one, a.data(), dimension(a.rows(), "zgemm"), b.data(),
-              dimension(b.rows(), "zgemm"), &zero, c.data(), dimension(rows, "zgemm"));
+  cblas_zgemm(CblasColMajor, transpose_a, CblasNoTrans, dimension(rows, "zgemm"), dimension(b.cols(), "zgemm"), dimension(inner, "zgemm"),
+              &one, a.data(), dimension(a.rows(), "zgemm"), b.data(), dimension(b.rows(), "zgemm"), &zero, c.data(),
+              dimension(rows, "zgemm"));
   return c;
 }
 

@@ -11,8 +11,8 @@
 
 // Parts of dstedc that LAPACKE leaves out.
 extern "C" {
-void dlaed2_(int* k, const int* n, const int* n1, double* d, double* q, const int* ldq, int* indxq, double* rho, double* z, double* dlamda, double* w,
-             double* q2, int* indx, int* indxc, int* indxp, int* coltyp, int* info);
+void dlaed2_(int* k, const int* n, const int* n1, double* d, double* q, const int* ldq, int* indxq, double* rho, double* z, double* dlamda,
+             double* w, double* q2, int* indx, int* indxc, int* indxp, int* coltyp, int* info);
 void dlaed4_(const int* n, const int* i, const double* d, const double* z, double* delta, const double* rho, double* dlam, int* info);
 }
 
@@ -22,13 +22,14 @@ namespace {
 
 using Integers = std::vector<int>;
 
-// What is left after deflation: δ_i + ρ z_i²/… of order k, and the old vectors by the halves in which they are not zero.
+// What is left after deflation: δ_i + ρ z_i²/… of order k, and the old vectors by the halves in which they are not
+// zero.
 struct Deflated {
   Index k = 0;
   double rho = 0;
-  Vector delta, z;           // poles, ascending, and weights
-  Vector q2;                 // old vectors: cut × (upper + both), then (n − cut) × (both + lower), then the deflated ones
-  Integers order;            // row i of the new vectors belongs to pole order[i] − 1
+  Vector delta, z;  // poles, ascending, and weights
+  Vector q2;        // old vectors: cut × (upper + both), then (n − cut) × (both + lower), then the deflated ones
+  Integers order;   // row i of the new vectors belongs to pole order[i] − 1
   Index upper = 0, both = 0, lower = 0;
 };
 
@@ -46,8 +47,8 @@ Deflated deflated(Vector& d, Matrix& q, Index cut, double rho) {
   const int at = static_cast<int>(cut);
   int k = 0;
   int info = 0;
-  dlaed2_(&k, &order, &at, d.data(), q.data(), &order, ascending.data(), &r.rho, row.data(), r.delta.data(), r.z.data(), r.q2.data(), index.data(),
-          r.order.data(), place.data(), type.data(), &info);
+  dlaed2_(&k, &order, &at, d.data(), q.data(), &order, ascending.data(), &r.rho, row.data(), r.delta.data(), r.z.data(), r.q2.data(),
+          index.data(), r.order.data(), place.data(), type.data(), &info);
   require_success(info, "dlaed2", "");
   r.k = k;
   r.upper = type[0];
@@ -56,8 +57,9 @@ Deflated deflated(Vector& d, Matrix& q, Index cut, double rho) {
   return r;
 }
 
-// Roots of the secular equation into d(0 … k − 1). Returns the vectors of the rank-one problem, rows in the order of the old vectors, from the weights
-// for which the computed roots are exact (Löwner's formula): they are orthogonal however close the roots are.
+// Roots of the secular equation into d(0 … k − 1). Returns the vectors of the rank-one problem, rows in the order of
+// the old vectors, from the weights for which the computed roots are exact (Löwner's formula): they are orthogonal
+// however close the roots are.
 Matrix solve_secular(const Deflated& r, Vector& d, Team& team) {
   const Index k = r.k;
   Matrix distance(k, k);  // δ_i − λ_j
@@ -129,7 +131,8 @@ void join_rank_one(Vector& d, Matrix& q, Index cut, double rho) {
   Matrix sorted(q.rows(), q.cols());
   Team team(threads_for(q.cols()));
   team.run([&](int part) {
-    for (Index j = team.begin(q.cols(), part); j < team.begin(q.cols(), part + 1); ++j) sorted.col(j) = q.col(ascending[static_cast<std::size_t>(j)]);
+    for (Index j = team.begin(q.cols(), part); j < team.begin(q.cols(), part + 1); ++j)
+      sorted.col(j) = q.col(ascending[static_cast<std::size_t>(j)]);
   });
   q = std::move(sorted);
 }

@@ -17,7 +17,8 @@ namespace {
 
 constexpr Index panel_width = 64;
 
-// H_start … H_{start+width−1} = 1 − V U⁻¹ Vᵀ on the rows from start + first on. U = T⁻¹ is upper triangular: the strict upper part of VᵀV, and 1/τ on the diagonal.
+// H_start … H_{start+width−1} = 1 − V U⁻¹ Vᵀ on the rows from start + first on. U = T⁻¹ is upper triangular: the strict
+// upper part of VᵀV, and 1/τ on the diagonal.
 struct Panel {
   Matrix v, u;
 
@@ -38,8 +39,8 @@ struct Panel {
 
   void solve(CBLAS_SIDE side, MatrixSpan y) const {
     if (y.size() == 0) return;
-    cblas_dtrsm(CblasColMajor, side, CblasUpper, CblasNoTrans, CblasNonUnit, dimension(y.rows(), "dtrsm"), dimension(y.cols(), "dtrsm"), 1, u.data(),
-                dimension(u.rows(), "dtrsm"), y.data(), dimension(y.outerStride(), "dtrsm"));
+    cblas_dtrsm(CblasColMajor, side, CblasUpper, CblasNoTrans, CblasNonUnit, dimension(y.rows(), "dtrsm"), dimension(y.cols(), "dtrsm"), 1,
+                u.data(), dimension(u.rows(), "dtrsm"), y.data(), dimension(y.outerStride(), "dtrsm"));
   }
 };
 

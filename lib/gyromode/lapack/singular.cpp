@@ -16,8 +16,9 @@ SingularValues singular_value_decomposition(Matrix a) {
   SingularValues s{Vector(r), Matrix(m, r), Matrix(r, n)};
   if (r == 0) return s;
   const Index limit = largest_order(5, 64, 0);
-  const int info = LAPACKE_dgesdd(LAPACK_COL_MAJOR, 'S', dimension(m, "dgesdd", limit), dimension(n, "dgesdd", limit), a.data(),
-                                  dimension(m, "dgesdd"), s.values.data(), s.u.data(), dimension(m, "dgesdd"), s.vt.data(), dimension(r, "dgesdd"));
+  const int info =
+      LAPACKE_dgesdd(LAPACK_COL_MAJOR, 'S', dimension(m, "dgesdd", limit), dimension(n, "dgesdd", limit), a.data(), dimension(m, "dgesdd"),
+                     s.values.data(), s.u.data(), dimension(m, "dgesdd"), s.vt.data(), dimension(r, "dgesdd"));
   require_success(info, "dgesdd", "the bidiagonal iteration did not converge");
   return s;
 }
@@ -28,8 +29,8 @@ SingularValues bidiagonal_svd(Vector diagonal, Vector superdiagonal) {
   if (n == 0) return s;
   const int order = dimension(n, "dbdsdc", largest_order(3, 4, 0));
   if (superdiagonal.size() == 0) superdiagonal = Vector::Zero(1);
-  const int info = LAPACKE_dbdsdc(LAPACK_COL_MAJOR, 'U', 'I', order, s.values.data(), superdiagonal.data(), s.u.data(), order, s.vt.data(), order,
-                                  nullptr, nullptr);
+  const int info = LAPACKE_dbdsdc(LAPACK_COL_MAJOR, 'U', 'I', order, s.values.data(), superdiagonal.data(), s.u.data(), order, s.vt.data(),
+                                  order, nullptr, nullptr);
   require_success(info, "dbdsdc", "a singular value did not converge");
   return s;
 }
@@ -40,7 +41,8 @@ LeftSingular left_singular(Matrix a) {
   const int order = dimension(n, "dgebrd");
   Reflectors q{std::move(a), Vector(n), 0};
   Vector diagonal(n), superdiagonal(std::max<Index>(n - 1, 1)), tau_right(n);
-  const int info = LAPACKE_dgebrd(LAPACK_COL_MAJOR, order, order, q.vectors.data(), order, diagonal.data(), superdiagonal.data(), q.tau.data(), tau_right.data());
+  const int info = LAPACKE_dgebrd(LAPACK_COL_MAJOR, order, order, q.vectors.data(), order, diagonal.data(), superdiagonal.data(),
+                                  q.tau.data(), tau_right.data());
   require_success(info, "dgebrd", "");
   auto svd = bidiagonal_svd(std::move(diagonal), std::move(superdiagonal));
   multiply_left(q, svd.u);

@@ -17,7 +17,8 @@ SingularValues singular_value_decomposition(Matrix a);
 /// The same for a square upper bidiagonal matrix given by its diagonal (n) and superdiagonal (n − 1) (dbdsdc).
 SingularValues bidiagonal_svd(Vector diagonal, Vector superdiagonal);
 
-/// U and the values of A = U diag(values) Vᵀ only, A n × n, values descending (dgebrd, dbdsdc): V is not transformed back.
+/// U and the values of A = U diag(values) Vᵀ only, A n × n, values descending (dgebrd, dbdsdc): V is not transformed
+/// back.
 struct LeftSingular {
   Vector values;
   Matrix vectors;

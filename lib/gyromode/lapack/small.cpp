@@ -16,7 +16,9 @@ lapack::HermitianEigen hermitian_eigen(const ComplexMatrix& a) {
 }
 
 Vector symmetric_eigenvalues(const Matrix& a) { return Eigen::SelfAdjointEigenSolver<Matrix>(a, Eigen::EigenvaluesOnly).eigenvalues(); }
-Vector hermitian_eigenvalues(const ComplexMatrix& a) { return Eigen::SelfAdjointEigenSolver<ComplexMatrix>(a, Eigen::EigenvaluesOnly).eigenvalues(); }
+Vector hermitian_eigenvalues(const ComplexMatrix& a) {
+  return Eigen::SelfAdjointEigenSolver<ComplexMatrix>(a, Eigen::EigenvaluesOnly).eigenvalues();
+}
 
 lapack::SymmetricEigen symmetric_definite_eigen(const Matrix& a, const Matrix& b) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> e(a, b);

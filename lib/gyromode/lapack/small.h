@@ -6,8 +6,9 @@
 
 #include <vector>
 
-/// Decompositions by Eigen of small matrices, some tens of rows, where a call of LAPACK costs more than the work, and of those for which full pivoting or one-sided Jacobi is wanted. They are templates that take the
-/// compiler seconds each: only small*.cpp include them.
+/// Decompositions by Eigen of small matrices, some tens of rows, where a call of LAPACK costs more than the work, and
+/// of those for which full pivoting or one-sided Jacobi is wanted. They are templates that take the compiler seconds
+/// each: only small*.cpp include them.
 namespace gyromode::small {
 
 /// A = V diag(values) Vᴴ of a Hermitian matrix (n × n, lower triangle read), values ascending.
@@ -26,7 +27,8 @@ struct Tridiagonal {
 };
 Tridiagonal tridiagonalised(const ComplexMatrix& a);
 
-/// Singular values, descending, by one-sided Jacobi: small ones to full relative accuracy where scaling is what makes them small.
+/// Singular values, descending, by one-sided Jacobi: small ones to full relative accuracy where scaling is what makes
+/// them small.
 Vector singular_values(const ComplexMatrix& a);
 /// A = U diag(values) Vᴴ with U m × m and V n × n unitary, by the same.
 struct Svd {
@@ -34,7 +36,8 @@ struct Svd {
   ComplexMatrix u, v;
 };
 Svd singular_value_decomposition(const ComplexMatrix& a);
-/// Values and V (n × min(m, n)) only, by divide and conquer: for tall matrices of up to some hundred columns. u is left empty.
+/// Values and V (n × min(m, n)) only, by divide and conquer: for tall matrices of up to some hundred columns. u is left
+/// empty.
 Svd right_singular(const ComplexMatrix& a);
 
 /// A = QR, Q m × min(m, n) with orthonormal columns, R upper triangular or trapezoidal (Householder).
@@ -47,7 +50,8 @@ ComplexMatrix orthonormal_columns(const ComplexMatrix& a);
 /// The whole m × m orthogonal factor.
 Matrix orthogonal_factor(const Matrix& a);
 
-/// A P = QR with the largest remaining column first. Pivots up to `threshold` of the largest are zero: rank; Q, m × rank, spans the columns of A.
+/// A P = QR with the largest remaining column first. Pivots up to `threshold` of the largest are zero: rank; Q, m ×
+/// rank, spans the columns of A.
 struct RankedQr {
   Index rank = 0;
   Matrix q;

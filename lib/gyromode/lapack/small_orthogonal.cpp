@@ -25,8 +25,12 @@ Qr qr(const ComplexMatrix& a) {
   return {f.householderQ() * ComplexMatrix::Identity(a.rows(), least), f.matrixQR().topRows(least).triangularView<Eigen::Upper>()};
 }
 
-Matrix orthonormal_columns(const Matrix& a) { return Eigen::HouseholderQR<Matrix>(a).householderQ() * Matrix::Identity(a.rows(), a.cols()); }
-ComplexMatrix orthonormal_columns(const ComplexMatrix& a) { return Eigen::HouseholderQR<ComplexMatrix>(a).householderQ() * ComplexMatrix::Identity(a.rows(), a.cols()); }
+Matrix orthonormal_columns(const Matrix& a) {
+  return Eigen::HouseholderQR<Matrix>(a).householderQ() * Matrix::Identity(a.rows(), a.cols());
+}
+ComplexMatrix orthonormal_columns(const ComplexMatrix& a) {
+  return Eigen::HouseholderQR<ComplexMatrix>(a).householderQ() * ComplexMatrix::Identity(a.rows(), a.cols());
+}
 Matrix orthogonal_factor(const Matrix& a) { return Eigen::HouseholderQR<Matrix>(a).householderQ(); }
 
 RankedQr ranked_qr(const Matrix& a, double threshold) {

@@ -12,7 +12,8 @@ SymmetricEigen symmetric_eigen(Matrix a) { return Tridiagonal(std::move(a)).eige
 double symmetric_norm(const MatrixView& a) {
   if (a.size() == 0) return 0;
   double work = 0;  // not used for this norm
-  return LAPACKE_dlansy_work(LAPACK_COL_MAJOR, 'F', 'L', dimension(a.rows(), "dlansy"), a.data(), dimension(a.outerStride(), "dlansy"), &work);
+  return LAPACKE_dlansy_work(LAPACK_COL_MAJOR, 'F', 'L', dimension(a.rows(), "dlansy"), a.data(), dimension(a.outerStride(), "dlansy"),
+                             &work);
 }
 
 Vector symmetric_eigenvalues(Matrix a) {

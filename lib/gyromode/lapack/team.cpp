@@ -18,7 +18,8 @@ constexpr int busy_spins = 2000;  // some microseconds: a yield may cost a whole
 constexpr int spins = 2000;
 constexpr std::uint64_t first_of_next_round = 1 << 16;
 
-// The cores this thread may run on but the one it is on. A new thread starts on the core of its parent, and may share it for longer than the work takes.
+// The cores this thread may run on but the one it is on. A new thread starts on the core of its parent, and may share
+// it for longer than the work takes.
 #ifdef __linux__
 using Cores = cpu_set_t;
 Cores other_cores() {

@@ -10,8 +10,9 @@
 
 namespace gyromode::lapack {
 
-/// As many threads as the BLAS uses, for work of some ten microseconds at a time: between two calls of run() the others spin for a while before they sleep.
-/// While a team of more than one exists the BLAS itself uses one thread, and may be called by every member: its own idle threads would compete for the cores.
+/// As many threads as the BLAS uses, for work of some ten microseconds at a time: between two calls of run() the others
+/// spin for a while before they sleep. While a team of more than one exists the BLAS itself uses one thread, and may be
+/// called by every member: its own idle threads would compete for the cores.
 class Team {
  public:
   explicit Team(int threads);
@@ -23,8 +24,8 @@ class Team {
   /// Rows or columns begin(n, part) … + count(n, part) of n belong to `part` where all cost the same.
   Index begin(Index n, int part) const { return n * part / size(); }
   Index count(Index n, int part) const { return begin(n, part + 1) - begin(n, part); }
-  /// Calls work(0), …, work(size() − 1), each once, and returns when all have. A part goes to the first thread that is free: where the others do not get a
-  /// processor, the caller does everything. `work` must not throw.
+  /// Calls work(0), …, work(size() − 1), each once, and returns when all have. A part goes to the first thread that is
+  /// free: where the others do not get a processor, the caller does everything. `work` must not throw.
   void run(const std::function<void(int)>& work);
 
  private:
@@ -40,7 +41,8 @@ class Team {
   std::vector<std::jthread> others_;  ///< last: joined first
 };
 
-/// How many threads a team for matrices of order n should have: those of the BLAS, or one where the work is too little to share.
+/// How many threads a team for matrices of order n should have: those of the BLAS, or one where the work is too little
+/// to share.
 int threads_for(Index n);
 
 }  // namespace gyromode::lapack

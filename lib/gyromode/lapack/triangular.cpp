@@ -16,14 +16,14 @@ namespace {
 
 void triangular_solve(CBLAS_SIDE side, CBLAS_TRANSPOSE transpose, const MatrixView& l, MatrixSpan b) {
   if (b.size() == 0) return;
-  cblas_dtrsm(CblasColMajor, side, CblasLower, transpose, CblasNonUnit, dimension(b.rows(), "dtrsm"), dimension(b.cols(), "dtrsm"), 1, l.data(),
-              dimension(l.outerStride(), "dtrsm"), b.data(), dimension(b.outerStride(), "dtrsm"));
+  cblas_dtrsm(CblasColMajor, side, CblasLower, transpose, CblasNonUnit, dimension(b.rows(), "dtrsm"), dimension(b.cols(), "dtrsm"), 1,
+              l.data(), dimension(l.outerStride(), "dtrsm"), b.data(), dimension(b.outerStride(), "dtrsm"));
 }
 
 void triangular_multiply(CBLAS_SIDE side, CBLAS_TRANSPOSE transpose, const MatrixView& l, MatrixSpan b) {
   if (b.size() == 0) return;
-  cblas_dtrmm(CblasColMajor, side, CblasLower, transpose, CblasNonUnit, dimension(b.rows(), "dtrmm"), dimension(b.cols(), "dtrmm"), 1, l.data(),
-              dimension(l.outerStride(), "dtrmm"), b.data(), dimension(b.outerStride(), "dtrmm"));
+  cblas_dtrmm(CblasColMajor, side, CblasLower, transpose, CblasNonUnit, dimension(b.rows(), "dtrmm"), dimension(b.cols(), "dtrmm"), 1,
+              l.data(), dimension(l.outerStride(), "dtrmm"), b.data(), dimension(b.outerStride(), "dtrmm"));
 }
 
 }  // namespace
@@ -54,7 +54,8 @@ double reciprocal_condition(const MatrixView& l, double norm) {
   double rcond = 0;
   Vector work(3 * l.rows());
   std::vector<int> signs(static_cast<std::size_t>(l.rows()));
-  const int info = LAPACKE_dpocon_work(LAPACK_COL_MAJOR, 'L', dimension(l.rows(), "dpocon"), l.data(), dimension(l.outerStride(), "dpocon"), norm, &rcond, work.data(), signs.data());
+  const int info = LAPACKE_dpocon_work(LAPACK_COL_MAJOR, 'L', dimension(l.rows(), "dpocon"), l.data(), dimension(l.outerStride(), "dpocon"),
+                                       norm, &rcond, work.data(), signs.data());
   require_success(info, "dpocon", "the condition could not be estimated");
   return rcond;
 }
@@ -74,8 +75,8 @@ Matrix gram_of_lower(Matrix l) {
 
 Matrix congruence(const MatrixView& l, Matrix a) {
   if (a.size() == 0) return a;
-  const int info = LAPACKE_dsygst_work(LAPACK_COL_MAJOR, 1, 'L', dimension(a.rows(), "dsygst"), a.data(), dimension(a.outerStride(), "dsygst"), l.data(),
-                                  dimension(l.outerStride(), "dsygst"));
+  const int info = LAPACKE_dsygst_work(LAPACK_COL_MAJOR, 1, 'L', dimension(a.rows(), "dsygst"), a.data(),
+                                       dimension(a.outerStride(), "dsygst"), l.data(), dimension(l.outerStride(), "dsygst"));
   require_success(info, "dsygst", "");
   mirror_lower(a);
   return a;
@@ -101,7 +102,8 @@ Matrix solve_general(Matrix a, Matrix b) {
   if (b.size() == 0) return b;
   const int order = dimension(a.rows(), "dgesv");
   std::vector<int> pivots(static_cast<std::size_t>(a.rows()));
-  require_success(LAPACKE_dgesv(LAPACK_COL_MAJOR, order, dimension(b.cols(), "dgesv"), a.data(), order, pivots.data(), b.data(), order), "dgesv", "a pivot is exactly zero");
+  require_success(LAPACKE_dgesv(LAPACK_COL_MAJOR, order, dimension(b.cols(), "dgesv"), a.data(), order, pivots.data(), b.data(), order),
+                  "dgesv", "a pivot is exactly zero");
   return b;
 }
 

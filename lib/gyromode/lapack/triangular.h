@@ -6,8 +6,9 @@
 
 namespace gyromode::lapack {
 
-/// Cholesky factorisation A = L Lᵀ of a symmetric matrix (n × n, lower triangle read); A is overwritten by L, zeros above.
-/// Returns nothing where A is positive definite, else the position of the first pivot that is not positive (dpotrf).
+/// Cholesky factorisation A = L Lᵀ of a symmetric matrix (n × n, lower triangle read); A is overwritten by L, zeros
+/// above. Returns nothing where A is positive definite, else the position of the first pivot that is not positive
+/// (dpotrf).
 std::optional<Index> cholesky(MatrixSpan a);
 
 /// A = L Lᵀ kept for what is asked of it later.

@@ -31,7 +31,8 @@ Tridiagonal::Tridiagonal(Matrix a) : diagonal_(a.rows()), subdiagonal_(std::max<
   if (n == 0) return;
   const int order = dimension(n, "dsytrd");
   const auto reduce = [&](double* work, int length) {
-    const int info = LAPACKE_dsytrd_work(LAPACK_COL_MAJOR, 'L', order, q_.vectors.data(), order, diagonal_.data(), subdiagonal_.data(), q_.tau.data(), work, length);
+    const int info = LAPACKE_dsytrd_work(LAPACK_COL_MAJOR, 'L', order, q_.vectors.data(), order, diagonal_.data(), subdiagonal_.data(),
+                                         q_.tau.data(), work, length);
     require_success(info, "dsytrd", "");
   };
   double length = 0;

@@ -6,8 +6,9 @@
 
 namespace gyromode::lapack {
 
-/// A = Q T Qᵀ for symmetric A (n × n, lower triangle read), T tridiagonal (dsytrd). The stages of dsyevd by themselves: what T can tell may
-/// make the vectors unnecessary, and the reflectors are applied in wider panels than dormtr's, which takes a fifth off the whole at n = 1000.
+/// A = Q T Qᵀ for symmetric A (n × n, lower triangle read), T tridiagonal (dsytrd). The stages of dsyevd by themselves:
+/// what T can tell may make the vectors unnecessary, and the reflectors are applied in wider panels than dormtr's,
+/// which takes a fifth off the whole at n = 1000.
 class Tridiagonal {
  public:
   /// Throws NotConverged where A is not finite.

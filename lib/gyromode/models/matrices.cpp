@@ -19,7 +19,8 @@ double largest(const Matrix& a) { return a.cwiseAbs().maxCoeff(); }
 
 }  // namespace
 
-MatricesModel::MatricesModel(SpinFamily family, double spin) : system_(family.at(spin)), family_(std::make_shared<const SpinFamily>(std::move(family))), spin_(spin) {}
+MatricesModel::MatricesModel(SpinFamily family, double spin)
+    : system_(family.at(spin)), family_(std::make_shared<const SpinFamily>(std::move(family))), spin_(spin) {}
 
 ModesResult MatricesModel::modes(const ModesOptions& options) const { return find_modes(system_, options); }
 
@@ -45,7 +46,9 @@ StructureReport MatricesModel::structure(std::optional<double> at) const {
   const auto& e = system_.symmetry_errors();
   using Numbers = std::vector<std::pair<std::string, double>>;
   r.checks = {{"symmetry_errors", Numbers{{"mass", e.mass}, {"gyroscopic", e.gyroscopic}, {"stiffness", e.stiffness}}},
-              {"scales", Numbers{{"mass", largest(system_.mass())}, {"gyroscopic", largest(system_.gyroscopic())}, {"stiffness", largest(system_.stiffness())}}},
+              {"scales", Numbers{{"mass", largest(system_.mass())},
+                                 {"gyroscopic", largest(system_.gyroscopic())},
+                                 {"stiffness", largest(system_.stiffness())}}},
               {"mass_trace", system_.mass().trace()}};
   if (at) r.at = {*at, realify(system_.impedance(*at), r.structure)};
   return r;
@@ -65,7 +68,9 @@ FrequencyReport MatricesModel::frequency_response(const FrequencyRequest& reques
 }
 
 std::vector<ModelKind::NamedMatrix> MatricesModel::matrices() const {
-  return {{"M", "mass M", false, &system_.mass()}, {"G", "gyroscopic G", true, &system_.gyroscopic()}, {"K", "stiffness K", false, &system_.stiffness()}};
+  return {{"M", "mass M", false, &system_.mass()},
+          {"G", "gyroscopic G", true, &system_.gyroscopic()},
+          {"K", "stiffness K", false, &system_.stiffness()}};
 }
 
 std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> MatricesModel::without_couplings(double tolerance) const {
@@ -84,13 +89,15 @@ StructureReport FirstOrderModel::structure(std::optional<double> at) const {
   r.stiffness_applies = false;
   const auto& e = system_.symmetry_errors();
   using Numbers = std::vector<std::pair<std::string, double>>;
-  r.checks = {{"symmetry_errors", Numbers{{"inertia", e.inertia}, {"gyroscopic", e.gyroscopic}}}, {"scales", Numbers{{"inertia", largest(system_.inertia())}, {"gyroscopic", largest(system_.gyroscopic())}}}};
+  r.checks = {{"symmetry_errors", Numbers{{"inertia", e.inertia}, {"gyroscopic", e.gyroscopic}}},
+              {"scales", Numbers{{"inertia", largest(system_.inertia())}, {"gyroscopic", largest(system_.gyroscopic())}}}};
   if (at) r.at = {*at, realify(system_.impedance(*at), r.structure)};
   return r;
 }
 
 std::vector<ModelKind::NamedMatrix> FirstOrderModel::matrices() const {
-  return {{"I", "inertia I of I q' + G q = 0", false, &system_.inertia()}, {"G", "gyroscopic G of I q' + G q = 0", true, &system_.gyroscopic()}};
+  return {{"I", "inertia I of I q' + G q = 0", false, &system_.inertia()},
+          {"G", "gyroscopic G of I q' + G q = 0", true, &system_.gyroscopic()}};
 }
 
 std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> FirstOrderModel::without_couplings(double tolerance) const {

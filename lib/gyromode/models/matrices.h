@@ -15,7 +15,8 @@ struct CouplingsLeftOut {
   double tolerance = 0;
 };
 
-/// M q̈ + G q̇ + K q = 0; or, of a SpinFamily, the system at one spin of it. Its parameters are the entries of the matrices, and the spin.
+/// M q̈ + G q̇ + K q = 0; or, of a SpinFamily, the system at one spin of it. Its parameters are the entries of the
+/// matrices, and the spin.
 class MatricesModel : public ModelKind {
  public:
   explicit MatricesModel(System system) : system_(std::move(system)) {}

@@ -23,7 +23,8 @@ void require(bool named, const ParameterValue& value) {
 
 // The parameters of the whole model, where couplings were left out, and those couplings left out again.
 template <class Kind>
-std::shared_ptr<const ModelKind> with_couplings_left_out(const CouplingsLeftOut<Kind>& left_out, const std::vector<ParameterValue>& values) {
+std::shared_ptr<const ModelKind> with_couplings_left_out(const CouplingsLeftOut<Kind>& left_out,
+                                                         const std::vector<ParameterValue>& values) {
   return left_out.whole->with(values)->without_couplings(left_out.tolerance).first;
 }
 

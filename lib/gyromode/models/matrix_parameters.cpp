@@ -13,7 +13,10 @@ template <class See>
 void each_named(const MatrixOfParameters& m, std::string_view key, See&& see) {
   const auto at = indices_of(m.name, key);
   if (!at || at->size() != 2) return;
-  const auto range = [&](std::ptrdiff_t index) { return index < 0 ? std::pair<Index, Index>(0, m.matrix->rows()) : std::pair<Index, Index>(index, std::min<Index>(index + 1, m.matrix->rows())); };
+  const auto range = [&](std::ptrdiff_t index) {
+    return index < 0 ? std::pair<Index, Index>(0, m.matrix->rows())
+                     : std::pair<Index, Index>(index, std::min<Index>(index + 1, m.matrix->rows()));
+  };
   const auto [i0, i1] = range((*at)[0]);
   const auto [j0, j1] = range((*at)[1]);
   for (Index i = i0; i < i1; ++i) {
@@ -23,7 +26,9 @@ void each_named(const MatrixOfParameters& m, std::string_view key, See&& see) {
   }
 }
 
-Parameter entry(const MatrixOfParameters& m, Index i, Index j) { return {fmt::format("{}[{}][{}]", m.name, i, j), std::nullopt, (*m.matrix)(i, j)}; }
+Parameter entry(const MatrixOfParameters& m, Index i, Index j) {
+  return {fmt::format("{}[{}][{}]", m.name, i, j), std::nullopt, (*m.matrix)(i, j)};
+}
 
 }  // namespace
 

@@ -9,14 +9,16 @@
 
 namespace gyromode {
 
-/// A matrix whose entries are parameters: "stiffness[0][1]". A change of one entry is one of its mirror image too, with the other sign where the matrix is skew.
+/// A matrix whose entries are parameters: "stiffness[0][1]". A change of one entry is one of its mirror image too, with
+/// the other sign where the matrix is skew.
 struct MatrixOfParameters {
   std::string_view name;
   Matrix* matrix = nullptr;
   bool skew = false;
 };
 
-/// The entries on and above the diagonal of matrices up to order 12, and the first of larger ones: what is worth listing. All can be named.
+/// The entries on and above the diagonal of matrices up to order 12, and the first of larger ones: what is worth
+/// listing. All can be named.
 std::vector<Parameter> listed_entries(const std::vector<MatrixOfParameters>& matrices);
 
 /// The first entry that a key names.

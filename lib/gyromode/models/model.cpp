@@ -10,7 +10,9 @@ namespace gyromode {
 Model::Model(std::shared_ptr<const ModelKind> kind_of_model, std::string word) : kind(std::move(word)), body(std::move(kind_of_model)) {}
 Model::Model(System system) : Model(std::make_shared<MatricesModel>(std::move(system)), "matrices") {}
 Model::Model(FirstOrderSystem system) : Model(std::make_shared<FirstOrderModel>(std::move(system)), "first_order") {}
-Model::Model(SpinFamily family, double spin_of_axes) : Model(std::make_shared<MatricesModel>(std::move(family), spin_of_axes), "matrices") { spin = spin_of_axes; }
+Model::Model(SpinFamily family, double spin_of_axes) : Model(std::make_shared<MatricesModel>(std::move(family), spin_of_axes), "matrices") {
+  spin = spin_of_axes;
+}
 Model::Model(Spacecraft spacecraft) : Model(std::make_shared<SpacecraftModel>(spacecraft), "spacecraft") { spin = spacecraft.spin(); }
 
 Index Model::size() const { return body->size(); }
@@ -18,7 +20,9 @@ const Labels& Model::labels() const { return body->labels(); }
 ModesResult Model::modes(const ModesOptions& options) const { return body->modes(options); }
 CountResult Model::count(const Window& window) const { return body->count(window); }
 StabilityReport Model::stability() const { return body->stability(); }
-StabilityMap Model::stability_over(const std::vector<ParameterAxis>& axes, const Progress& progress) const { return gyromode::stability_over(*body, axes, progress); }
+StabilityMap Model::stability_over(const std::vector<ParameterAxis>& axes, const Progress& progress) const {
+  return gyromode::stability_over(*body, axes, progress);
+}
 StructureReport Model::structure(std::optional<double> at) const { return body->structure(at); }
 ResponseReport Model::response(const MotionRequest& request) const { return body->response(request); }
 FrequencyReport Model::frequency_response(const FrequencyRequest& request) const { return body->frequency_response(request); }

@@ -26,28 +26,32 @@ struct KnownValues {
   std::string system_class;         ///< quadrature, hidden_quadrature, general or transcendental, or empty
 };
 
-/// A model of whatever kind, from a file or built in code, and what the program answers of it. Copies share what they are made of, which never changes.
+/// A model of whatever kind, from a file or built in code, and what the program answers of it. Copies share what they
+/// are made of, which never changes.
 ///
-/// Frequencies are in rad per unit of time of the model (rad/s in SI). Questions that a kind has no answer to throw NotApplicable, with what to use instead.
+/// Frequencies are in rad per unit of time of the model (rad/s in SI). Questions that a kind has no answer to throw
+/// NotApplicable, with what to use instead.
 struct Model {
-  Model(System system);  ///< M, G, K
-  Model(FirstOrderSystem system);  ///< I, G
+  Model(System system);                   ///< M, G, K
+  Model(FirstOrderSystem system);         ///< I, G
   Model(SpinFamily family, double spin);  ///< at one spin, rad per unit of time
-  Model(Spacecraft spacecraft);  ///< with exact booms
+  Model(Spacecraft spacecraft);           ///< with exact booms
   /// Of a kind of one's own.
   explicit Model(std::shared_ptr<const ModelKind> kind_of_model, std::string word = "");
 
-  std::string title;  ///< for people
+  std::string title;      ///< for people
   std::string reference;  ///< where it comes from
-  std::string kind;            ///< its word in model files
-  std::string sha256;          ///< of the model file followed by its matrix files, in the order M, G, K, per-spin ones (I, G); empty of a model built in code
-  std::shared_ptr<const ModelKind> body;  ///< what answers
-  std::optional<double> spin;  ///< rad/s, where the model depends on it
-  KnownValues known;  ///< for whoever wants to check
+  std::string kind;       ///< its word in model files
+  /// of the model file followed by its matrix files, in the order M, G, K, per-spin ones (I, G); empty of a model built
+  /// in code
+  std::string sha256;
+  std::shared_ptr<const ModelKind> body;    ///< what answers
+  std::optional<double> spin;               ///< rad/s, where the model depends on it
+  KnownValues known;                        ///< for whoever wants to check
   std::optional<IgnoredCouplings> ignored;  ///< where `body` is that of the file without its weak couplings
 
-  Index size() const;             ///< n, the number of coordinates
-  const Labels& labels() const;   ///< of the coordinates, n
+  Index size() const;            ///< n, the number of coordinates
+  const Labels& labels() const;  ///< of the coordinates, n
 
   /// All modes of a window, or the lowest so many, with verdict and certificate. @throws see find_modes()
   ModesResult modes(const ModesOptions& options = {}) const;
@@ -55,9 +59,11 @@ struct Model {
   CountResult count(const Window& window) const;
   /// The verdict with what it rests on.
   StabilityReport stability() const;
-  /// The verdict over a grid of one or two parameters, with critical values. @throws InvalidArgument where a key names no parameter
+  /// The verdict over a grid of one or two parameters, with critical values. @throws InvalidArgument where a key names
+  /// no parameter
   StabilityMap stability_over(const std::vector<ParameterAxis>& axes, const Progress& progress = {}) const;
-  /// What class it is in and why; with `at` (rad per unit of time, above 0 for a spacecraft) H there, the transformation and H*.
+  /// What class it is in and why; with `at` (rad per unit of time, above 0 for a spacecraft) H there, the
+  /// transformation and H*.
   StructureReport structure(std::optional<double> at = std::nullopt) const;
   /// Motion over time. @throws InvalidArgument for sizes that do not fit; NotApplicable for models of first order
   ResponseReport response(const MotionRequest& request) const;
@@ -66,9 +72,11 @@ struct Model {
 
   /// The numbers it is made of.
   std::vector<Parameter> parameters() const;
-  /// The same model with other values of some. @throws InvalidArgument for a key that names none; LawBroken where the values make no model
+  /// The same model with other values of some. @throws InvalidArgument for a key that names none; LawBroken where the
+  /// values make no model
   Model with(const std::vector<ParameterValue>& values) const;
-  /// The same model without its couplings up to `tolerance` of the largest entry of their matrix: an approximation. @throws NotApplicable for a spacecraft
+  /// The same model without its couplings up to `tolerance` of the largest entry of their matrix: an approximation.
+  /// @throws NotApplicable for a spacecraft
   Model without_couplings(double tolerance) const;
 };
 

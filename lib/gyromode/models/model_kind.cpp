@@ -20,7 +20,10 @@ StabilityReport ModelKind::stability() const {
   return r;
 }
 
-void ModelKind::require_motion() const { throw NotApplicable(fmt::format("response needs a model of second order, with displacements and velocities; this one is: {}", in_words())); }
+void ModelKind::require_motion() const {
+  throw NotApplicable(
+      fmt::format("response needs a model of second order, with displacements and velocities; this one is: {}", in_words()));
+}
 
 ResponseReport ModelKind::response(const MotionRequest&) const {
   require_motion();
@@ -42,7 +45,10 @@ std::shared_ptr<const ModelKind> ModelKind::with(const std::vector<ParameterValu
   throw InvalidArgument(fmt::format("'{}' is no parameter: this kind of model has none", values.empty() ? "" : values.front().key));
 }
 
-std::shared_ptr<const ModelKind> ModelKind::discretised(std::optional<Index>) const { throw NotApplicable("finite elements (--method discrete, --elements) serve models of parts, such as spacecraft; this one is made of matrices"); }
+std::shared_ptr<const ModelKind> ModelKind::discretised(std::optional<Index>) const {
+  throw NotApplicable(
+      "finite elements (--method discrete, --elements) serve models of parts, such as spacecraft; this one is made of matrices");
+}
 
 std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> ModelKind::without_couplings(double) const {
   throw NotApplicable("--coupling-tolerance is for matrix models: the couplings of a spacecraft follow from its parts");

@@ -15,7 +15,8 @@
 
 namespace gyromode {
 
-/// A kind of model: what it says of itself, and what it answers. Questions that a kind has no answer to throw NotApplicable, with what to use instead.
+/// A kind of model: what it says of itself, and what it answers. Questions that a kind has no answer to throw
+/// NotApplicable, with what to use instead.
 class ModelKind {
  public:
   virtual ~ModelKind() = default;
@@ -44,7 +45,8 @@ class ModelKind {
   virtual std::vector<Parameter> parameters() const { return {}; }
   /// The first number that a key names ([*] for every item); nothing where it names none.
   virtual std::optional<Parameter> parameter(std::string_view key) const;
-  /// The same model with other values of its parameters. Throws LawBroken where they make none; InvalidArgument where a key names no parameter.
+  /// The same model with other values of its parameters. Throws LawBroken where they make none; InvalidArgument where a
+  /// key names no parameter.
   virtual std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const;
 
   /// The system of second order that the model is; null where it is none.

@@ -55,7 +55,8 @@ Parameter require_parameter(const ModelKind& model, const std::string& keys) {
       std::vector<std::string> known;
       for (const Parameter& p : model.parameters()) {
         known.push_back(p.key);
-        if (const std::size_t item = p.key.find("[0]."); item != std::string::npos) known.push_back(std::string(p.key).replace(item, 3, "[*]"));
+        if (const std::size_t item = p.key.find("[0]."); item != std::string::npos)
+          known.push_back(std::string(p.key).replace(item, 3, "[*]"));
       }
       const std::vector<std::string_view> views(known.begin(), known.end());
       if (views.empty()) throw InvalidArgument(fmt::format("'{}' is no parameter: this kind of model has none", key));

@@ -21,10 +21,12 @@ std::optional<std::vector<std::ptrdiff_t>> indices_of(std::string_view name, std
 /// Keys that share one value: "a,b" is a and b.
 std::vector<std::string> keys_of(const std::string& keys);
 
-/// The first parameter that `keys` name. Throws InvalidArgument where one of the keys names none, with the nearest that the model lists.
+/// The first parameter that `keys` name. Throws InvalidArgument where one of the keys names none, with the nearest that
+/// the model lists.
 Parameter require_parameter(const ModelKind& model, const std::string& keys);
 
-/// A value for those keys as people write it: a number in SI, or with a unit of what they measure. Nothing where it is none.
+/// A value for those keys as people write it: a number in SI, or with a unit of what they measure. Nothing where it is
+/// none.
 std::optional<double> value_of(const Parameter& parameter, std::string_view text);
 
 }  // namespace gyromode

@@ -8,7 +8,8 @@
 
 namespace gyromode {
 
-/// A number that a model is made of, by the dotted key that model files have for it, arrays from 0: "spin", "body.inertia[2]", "cable[0].length", "stiffness[0][1]".
+/// A number that a model is made of, by the dotted key that model files have for it, arrays from 0: "spin",
+/// "body.inertia[2]", "cable[0].length", "stiffness[0][1]".
 struct Parameter {
   std::string key;                     ///< dotted
   std::optional<Dimension> dimension;  ///< what it measures; nothing where units are the user's own (entries of matrices)
@@ -23,7 +24,7 @@ struct ParameterValue {
 
 /// Values that some parameters of a model take together: `keys` as in keys_of().
 struct ParameterAxis {
-  std::string keys;  ///< dotted, commas between several that share the values
+  std::string keys;            ///< dotted, commas between several that share the values
   std::vector<double> values;  ///< SI, ascending
 };
 

@@ -22,30 +22,31 @@ struct RealifiedAt {
   Realified realified;  ///< H, U and H*
 };
 
-/// Of a component in which a reversing symmetry was looked for: what was found, or how far the nearest is from being one.
+/// Of a component in which a reversing symmetry was looked for: what was found, or how far the nearest is from being
+/// one.
 struct SymmetryFinding {
-  std::vector<Index> coordinates;  ///< of the component
-  double departure = 0;      ///< of the reflection found, or of the nearest, from being one
-  double threshold = 0;      ///< what rounding of the matrices explains
-  double amplification = 0;  ///< of that rounding by mass-normalised coordinates
-  std::optional<Matrix> reflection;                     ///< R, on these coordinates, where one was found
+  std::vector<Index> coordinates;    ///< of the component
+  double departure = 0;              ///< of the reflection found, or of the nearest, from being one
+  double threshold = 0;              ///< what rounding of the matrices explains
+  double amplification = 0;          ///< of that rounding by mass-normalised coordinates
+  std::optional<Matrix> reflection;  ///< R, on these coordinates, where one was found
 };
 
 /// A fact of a model that its maker may want to check: a number, a matrix, or named numbers.
 struct ModelCheck {
-  std::string name;  ///< key in the document
+  std::string name;                                                                 ///< key in the document
   std::variant<double, Matrix, std::vector<std::pair<std::string, double>>> value;  ///< SI
 };
 
 /// What `structure` reports.
 struct StructureReport {
-  Structure structure;  ///< components and partition
-  InertiaOfK stiffness;  ///< of the whole K
+  Structure structure;                        ///< components and partition
+  InertiaOfK stiffness;                       ///< of the whole K
   bool stiffness_applies = true;              ///< false for first-order models
-  std::vector<SymmetryFinding> symmetries;  ///< of components without a partition
-  std::vector<ModelCheck> checks;  ///< facts of the model
-  std::optional<RealifiedAt> at;  ///< where a frequency was given
-  std::vector<ClampedBoom> clamped_booms;           ///< of a spacecraft: the poles of its booms
+  std::vector<SymmetryFinding> symmetries;    ///< of components without a partition
+  std::vector<ModelCheck> checks;             ///< facts of the model
+  std::optional<RealifiedAt> at;              ///< where a frequency was given
+  std::vector<ClampedBoom> clamped_booms;     ///< of a spacecraft: the poles of its booms
   std::vector<EffectiveAxes> effective_axes;  ///< of spacecraft that axes 1 and 2 do not part into in phase and in quadrature
 };
 
@@ -54,7 +55,8 @@ struct StabilityReport {
   ModesResult result;  ///< verdict, balance, modes of negative energy, growing motions
   /// The roots of opposite energy sign nearest to each other, rad/s; nothing where there are none.
   std::optional<std::array<double, 2>> opposite;
-  /// The eigenvalue of (K, M) nearest to zero that is none, rad²/s²: how far K is from changing its index. Matrix models of second order.
+  /// The eigenvalue of (K, M) nearest to zero that is none, rad²/s²: how far K is from changing its index. Matrix
+  /// models of second order.
   std::optional<double> stiffness;
   std::vector<std::string> varied;  ///< keys
   std::optional<StabilityMap> map;  ///< over parameters, where asked for
@@ -62,18 +64,18 @@ struct StabilityReport {
 
 /// A motion over time, as `response` reports it.
 struct ResponseReport {
-  Labels labels;             ///< of the rows of the history
-  History history;  ///< displacements and velocities over time
-  bool rates = false;        ///< velocities are to be written as well
-  std::vector<ModalShare> modal;  ///< of each mode in the free motion
+  Labels labels;                             ///< of the rows of the history
+  History history;                           ///< displacements and velocities over time
+  bool rates = false;                        ///< velocities are to be written as well
+  std::vector<ModalShare> modal;             ///< of each mode in the free motion
   Stability stability = Stability::unknown;  ///< of the model
-  double initial_energy = 0;    ///< at t = 0⁺
-  double zero_energy = 0;       ///< of displaced rest and drift
-  double remainder_energy = 0;  ///< of growing motions and double roots
-  double departure = 0;      ///< of the decomposition, relative
-  double phase_error = 0;    ///< rad, at the last time
-  bool balance_closed = false;  ///< whether the roots account for all of the motion
-  std::string remark;  ///< for people; may be empty
+  double initial_energy = 0;                 ///< at t = 0⁺
+  double zero_energy = 0;                    ///< of displaced rest and drift
+  double remainder_energy = 0;               ///< of growing motions and double roots
+  double departure = 0;                      ///< of the decomposition, relative
+  double phase_error = 0;                    ///< rad, at the last time
+  bool balance_closed = false;               ///< whether the roots account for all of the motion
+  std::string remark;                        ///< for people; may be empty
 };
 
 /// H(ω)⁻¹f over a grid of frequencies.

@@ -11,17 +11,17 @@ namespace gyromode {
 /// A motion over time that is asked for.
 struct MotionRequest {
   State initial;                  ///< q and q̇ at t = 0, n each
-  std::vector<Force> forces;  ///< on the coordinates
+  std::vector<Force> forces;      ///< on the coordinates
   std::vector<BoomPoint> points;  ///< places on the booms of a spacecraft whose displacement is wanted too
   Vector times;                   ///< s, ≥ 0, ascending
   bool rates = false;             ///< velocities are to be written as well
-  Progress progress;  ///< told times or frequencies
+  Progress progress;              ///< told times or frequencies
 };
 
 /// A response at steady frequencies that is asked for.
 struct FrequencyRequest {
-  Vector amplitude;  ///< f of f e^{jωt}, n
-  Vector grid;       ///< rad per unit of time, ascending
+  Vector amplitude;   ///< f of f e^{jωt}, n
+  Vector grid;        ///< rad per unit of time, ascending
   Progress progress;  ///< told frequencies
 };
 

@@ -7,7 +7,8 @@
 
 namespace gyromode {
 
-/// What a motion `r` over times (not empty) reports; `inner` is the Response that its energies are of. Throws InvalidArgument where it grows beyond what numbers hold.
+/// What a motion `r` over times (not empty) reports; `inner` is the Response that its energies are of. Throws
+/// InvalidArgument where it grows beyond what numbers hold.
 template <class Motion>
 void add_facts(const Motion& r, const Response& inner, const MotionRequest& request, ResponseReport& report) {
   report.history = r.at(request.times, request.progress);
@@ -23,7 +24,8 @@ void add_facts(const Motion& r, const Response& inner, const MotionRequest& requ
   report.phase_error = r.phase_error(times(times.size() - 1));
   report.balance_closed = inner.balance_closed();
   for (Index k = 0; k < times.size(); ++k) {
-    if (!report.history.q.col(k).allFinite()) throw InvalidArgument(fmt::format("the motion grows beyond what numbers hold at t = {:g}: ask for less time", times(k)));
+    if (!report.history.q.col(k).allFinite())
+      throw InvalidArgument(fmt::format("the motion grows beyond what numbers hold at t = {:g}: ask for less time", times(k)));
   }
 }
 

@@ -45,7 +45,8 @@ StructureReport SpacecraftModel::structure(std::optional<double> at) const {
   r.stiffness = facts.stiffness;
   r.clamped_booms = clamped_booms(spacecraft_, lowest_of_a_boom);
   r.effective_axes = effective_axes(solved, lowest_modes);
-  r.checks = {{"mass", spacecraft_.rigid().mass}, {"centre_height", spacecraft_.centre()}, {"inertia", Matrix(spacecraft_.rigid().inertia())}};
+  r.checks = {
+      {"mass", spacecraft_.rigid().mass}, {"centre_height", spacecraft_.centre()}, {"inertia", Matrix(spacecraft_.rigid().inertia())}};
   if (at) r.at = {*at, realify(impedance_at(spacecraft_, *at), r.structure)};
   return r;
 }
@@ -54,11 +55,15 @@ ResponseReport SpacecraftModel::response(const MotionRequest& request) const {
   const SpacecraftResponse r(spacecraft_, request.initial, request.forces, request.points);
   ResponseReport report;
   report.labels = r.labels();
-  report.remark = fmt::format("booms as {} elements of degree {} each, {} coordinates about the mass centre, which moves by itself; booms start undeformed", r.mesh().elements, r.mesh().degree, r.coordinates());
+  report.remark = fmt::format(
+      "booms as {} elements of degree {} each, {} coordinates about the mass centre, which moves by itself; booms start undeformed",
+      r.mesh().elements, r.mesh().degree, r.coordinates());
   add_facts(r, r.about_centre(), request, report);
   return report;
 }
 
-std::shared_ptr<const ModelKind> SpacecraftModel::discretised(std::optional<Index> elements) const { return std::make_shared<TwinModel>(spacecraft_, Mesh{elements.value_or(Mesh{}.elements), 1}); }
+std::shared_ptr<const ModelKind> SpacecraftModel::discretised(std::optional<Index> elements) const {
+  return std::make_shared<TwinModel>(spacecraft_, Mesh{elements.value_or(Mesh{}.elements), 1});
+}
 
 }  // namespace gyromode

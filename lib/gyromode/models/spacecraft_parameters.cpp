@@ -31,12 +31,14 @@ void each_parameter_of(Part& part, const std::string& name, See&& see) {
       case NumberKey::Form::on_axis_3: see(key + "[2]", k.dimension, numbers[0], static_cast<double*>(nullptr)); break;
       case NumberKey::Form::several:
       case NumberKey::Form::several_or_infinite:
-        for (std::size_t i = 0; i < numbers.size(); ++i) see(fmt::format("{}[{}]", key, i), k.dimension, numbers[i], static_cast<double*>(nullptr));
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+          see(fmt::format("{}[{}]", key, i), k.dimension, numbers[i], static_cast<double*>(nullptr));
         break;
       case NumberKey::Form::symmetric:  // a principal value by one index, any entry by two
         for (std::size_t i = 0; i < 3; ++i) see(fmt::format("{}[{}]", key, i), k.dimension, numbers[4 * i], static_cast<double*>(nullptr));
         for (std::size_t i = 0; i < 3; ++i) {
-          for (std::size_t j = 0; j < 3; ++j) see(fmt::format("{}[{}][{}]", key, i, j), k.dimension, numbers[3 * i + j], &numbers[3 * j + i]);
+          for (std::size_t j = 0; j < 3; ++j)
+            see(fmt::format("{}[{}][{}]", key, i, j), k.dimension, numbers[3 * i + j], &numbers[3 * j + i]);
         }
         break;
     }
@@ -76,7 +78,8 @@ std::shared_ptr<const ModelKind> SpacecraftModel::with(const std::vector<Paramet
     });
     if (!any) throw InvalidArgument(fmt::format("'{}' is no parameter of the model", v.key));
   }
-  return std::make_shared<SpacecraftModel>(Spacecraft(parts.spin, parts.body, std::move(parts.cables), std::move(parts.beams), std::move(parts.masses)));
+  return std::make_shared<SpacecraftModel>(
+      Spacecraft(parts.spin, parts.body, std::move(parts.cables), std::move(parts.beams), std::move(parts.masses)));
 }
 
 }  // namespace gyromode

@@ -20,7 +20,8 @@ Window given(const CountedSpectrum& s, const Window& used, const Window& asked) 
 }
 
 void require_end(const CountedSpectrum& s, const Window& w, const char* what) {
-  if (w.open() && !s.finite()) throw InvalidArgument(std::string("a spacecraft with exact booms has infinitely many modes: ") + what + " needed");
+  if (w.open() && !s.finite())
+    throw InvalidArgument(std::string("a spacecraft with exact booms has infinitely many modes: ") + what + " needed");
 }
 
 // Where work was stopped: all roots below that.
@@ -38,7 +39,9 @@ Coverage part_of(const Window& known, const std::vector<CountedRoot>& listed, do
 void require_listable(const CountedSpectrum& s, const Window& w) {
   if (s.finite() || s.most_roots() == std::numeric_limits<Index>::max()) return;
   const Index inside = s.below(w.b) - s.below(w.a);
-  if (inside > s.most_roots()) throw TooLarge(fmt::format("the window holds {} modes: at most {} are listed at a time; ask for narrower ones", inside, s.most_roots()));
+  if (inside > s.most_roots())
+    throw TooLarge(
+        fmt::format("the window holds {} modes: at most {} are listed at a time; ask for narrower ones", inside, s.most_roots()));
 }
 
 }  // namespace
@@ -68,7 +71,8 @@ ModesResult modes_of(const CountedSpectrum& s, const ModesOptions& options) {
   r.coverage = known.b < ends.window.b ? part_of(known, listed, s.unit()) : coverage_of(s, ends, listed);
   r.coverage.window = given(s, r.coverage.window, options.window);
   r.coverage.requested = options.window;
-  std::sort(r.unstable.begin(), r.unstable.end(), [](const UnstableMode& a, const UnstableMode& b) { return a.growth_rate > b.growth_rate; });
+  std::sort(r.unstable.begin(), r.unstable.end(),
+            [](const UnstableMode& a, const UnstableMode& b) { return a.growth_rate > b.growth_rate; });
   return r;
 }
 

@@ -50,7 +50,9 @@ double worst_residual(const SolvedComponent& c) {
 void to_given_units(SolvedComponent& c) {
   const Units& units = c.impedance.units();
   c.impedance.to_given(c.spectrum);
-  for (Vector* v : {&c.assessment.error_bound, &c.assessment.sensitivity, &c.assessment.unstable.error_bound, &c.assessment.unstable.sensitivity}) *v /= units.time;
+  for (Vector* v :
+       {&c.assessment.error_bound, &c.assessment.sensitivity, &c.assessment.unstable.error_bound, &c.assessment.unstable.sensitivity})
+    *v /= units.time;
 }
 
 // What a certificate will ask for: the index balance closed and residuals at rounding.
@@ -60,10 +62,13 @@ bool convincing(const SolvedComponent& c) {
 }
 
 // Better evidence: the balance closed, then the smaller worst residual.
-bool better(const SolvedComponent& a, const SolvedComponent& b) { return a.verdict.balance.closed && (!b.verdict.balance.closed || worst_residual(a) < worst_residual(b)); }
+bool better(const SolvedComponent& a, const SolvedComponent& b) {
+  return a.verdict.balance.closed && (!b.verdict.balance.closed || worst_residual(a) < worst_residual(b));
+}
 
-// A solver of one scale loses roots far below the largest where spin is strong or K graded and indefinite. Where the result does not convince, the general solver has a try (λ of the first-order form keeps roots that ω²
-// loses), and then, in a small system, every root is found in its own scale.
+// A solver of one scale loses roots far below the largest where spin is strong or K graded and indefinite. Where the
+// result does not convince, the general solver has a try (λ of the first-order form keeps roots that ω² loses), and
+// then, in a small system, every root is found in its own scale.
 template <class AnySystem>
 SolvedComponent best_component(const AnySystem& system, const Component& component, Method method, const Progress& progress) {
   SolvedComponent best = solved_component(system, component, method, progress);

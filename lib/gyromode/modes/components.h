@@ -25,8 +25,8 @@ struct SolvedSystem {
   std::vector<SolvedComponent> components;
   bool interrupted = false;  ///< work was stopped: further components were not solved, and the balance is open
 
-  /// The worst component's; marginal, too, where roots of opposite energy sign of two components that K does not hold coincide: the least coupling may make
-  /// them flutter.
+  /// The worst component's; marginal, too, where roots of opposite energy sign of two components that K does not hold
+  /// coincide: the least coupling may make them flutter.
   Stability stability() const;
   IndexBalance index_balance() const;
   std::string open_reason() const;  ///< why the balance of the first component that is not closed is open; empty where all are

@@ -16,7 +16,8 @@ namespace {
 // The mode at the spin, which linear elements have exactly.
 bool name_tilt(ModesResult& r, double spin) {
   constexpr double rounding = 1e-9;
-  const auto tilt = std::min_element(r.modes.begin(), r.modes.end(), [&](const Mode& x, const Mode& y) { return std::abs(x.omega - spin) < std::abs(y.omega - spin); });
+  const auto tilt = std::min_element(r.modes.begin(), r.modes.end(),
+                                     [&](const Mode& x, const Mode& y) { return std::abs(x.omega - spin) < std::abs(y.omega - spin); });
   if (tilt == r.modes.end() || !(std::abs(tilt->omega - spin) <= rounding * spin)) return false;
   tilt->kind = ModeKind::rigid_body;
   return true;
@@ -25,7 +26,9 @@ bool name_tilt(ModesResult& r, double spin) {
 }  // namespace
 
 ModesResult find_modes_of_twin(const Spacecraft& spacecraft, const Mesh& mesh, const System& whole, const ModesOptions& options) {
-  if (!options.keep.empty()) throw NotApplicable("--keep condenses matrix models; a spacecraft is seen from its body already (gyromode convert writes its matrices)");
+  if (!options.keep.empty())
+    throw NotApplicable(
+        "--keep condenses matrix models; a spacecraft is seen from its body already (gyromode convert writes its matrices)");
   const WithoutSpinPhase rest(whole, spin_phase_of_twin);
   ModesResult r = find_modes(rest.system(), options);
   if (options.lowest && name_tilt(r, spacecraft.spin())) {  // it is not one of those asked for

@@ -6,7 +6,8 @@
 
 namespace gyromode {
 
-// ψ of H = [a, c + jb; ·, d] (docs/booms.md (B13)), followed from mode to mode. At Ω c and a − d vanish with a common factor: it is taken beside.
+// ψ of H = [a, c + jb; ·, d] (docs/booms.md (B13)), followed from mode to mode. At Ω c and a − d vanish with a common
+// factor: it is taken beside.
 std::vector<EffectiveAxes> effective_axes(const SpacecraftSpectrum& solved, Index count) {
   std::vector<EffectiveAxes> all;
   if (structure_of(solved.certified().blocked()).system_class() == SystemClass::quadrature) return all;

@@ -16,8 +16,8 @@ namespace {
 constexpr double farthest_movement = 1e-8;
 constexpr double worth_a_look = 1e-6;  // of b in an equilibrated shape of length 1: more is neither rest nor rounding, and is not looked at
 
-
-// One step of inverse iteration on CᴴC, orthogonal after each half: the span of V and W turns to the smallest singular values of C. Of that, the part beside W.
+// One step of inverse iteration on CᴴC, orthogonal after each half: the span of V and W turns to the smallest singular
+// values of C. Of that, the part beside W.
 ComplexMatrix turned_to_null(const ComplexMatrix& c, const ComplexMatrix& v, const ComplexMatrix& w) {
   ComplexMatrix both(v.rows(), v.cols() + w.cols());
   both << v, w;
@@ -56,7 +56,9 @@ struct ComponentSeenFrom::Subspace {
   }
   // The root of vᴴDv = 0 near ω, of the last column: at most three steps of Newton's method.
   double frequency(double omega) const {
-    const auto of = [&](const ComplexMatrix& a) { return v.rightCols<1>().reshaped().dot(a.bottomRows(v.rows()).rightCols<1>().reshaped()).real(); };
+    const auto of = [&](const ComplexMatrix& a) {
+      return v.rightCols<1>().reshaped().dot(a.bottomRows(v.rows()).rightCols<1>().reshaped()).real();
+    };
     const double a = of(k), b = of(g), c = of(m);
     for (int step = 0; step < 3; ++step) omega += (a + omega * (b - omega * c)) / (2 * omega * c - b);
     return omega;
@@ -77,9 +79,12 @@ ComponentSeenFrom::ComponentSeenFrom(const System& system, const Component& comp
   phase_ = ComplexVector::Ones(n);
   for (Index i = 0; i < n; ++i) {
     const auto& crossed = component.in_quadrature;
-    if (component.quadrature() && std::find(crossed.begin(), crossed.end(), order_[static_cast<std::size_t>(i)]) != crossed.end()) phase_(i) = Complex(0, -1);
+    if (component.quadrature() && std::find(crossed.begin(), crossed.end(), order_[static_cast<std::size_t>(i)]) != crossed.end())
+      phase_(i) = Complex(0, -1);
   }
-  const auto turned = [&](const Matrix& a, Complex unit) -> ComplexMatrix { return phase_.conjugate().asDiagonal() * (unit * a(order_, order_)) * phase_.asDiagonal(); };
+  const auto turned = [&](const Matrix& a, Complex unit) -> ComplexMatrix {
+    return phase_.conjugate().asDiagonal() * (unit * a(order_, order_)) * phase_.asDiagonal();
+  };
   stiffness_ = turned(system.stiffness(), 1);
   gyroscopic_ = turned(system.gyroscopic(), Complex(0, 1));
   mass_ = turned(system.mass(), 1);
@@ -90,7 +95,9 @@ ComponentSeenFrom::Subspace ComponentSeenFrom::spanned(const Scales& s, const Co
   return {v, internal_images(stiffness_, v), internal_images(gyroscopic_, v), internal_images(mass_, v), 1};
 }
 
-ComplexMatrix ComponentSeenFrom::internal_images(const ComplexMatrix& of, const ComplexMatrix& v) const { return of.rightCols(internal()) * v; }
+ComplexMatrix ComponentSeenFrom::internal_images(const ComplexMatrix& of, const ComplexMatrix& v) const {
+  return of.rightCols(internal()) * v;
+}
 
 // C̃(ω), n × n_i.
 ComplexMatrix ComponentSeenFrom::scaled_columns(const Scales& s, double omega) const {
@@ -130,8 +137,10 @@ std::vector<ComponentSeenFrom::Local> ComponentSeenFrom::take_null_vectors(const
   return found;
 }
 
-// Candidates are the combinations of the shapes that leave b at rest as far as shapes can tell, all of them where the modes are not known well; C̃ decides.
-std::vector<ComponentSeenFrom::Local> ComponentSeenFrom::locals(const Scales& s, const ComplexMatrix& shapes, const std::vector<Mode*>& near) const {
+// Candidates are the combinations of the shapes that leave b at rest as far as shapes can tell, all of them where the
+// modes are not known well; C̃ decides.
+std::vector<ComponentSeenFrom::Local> ComponentSeenFrom::locals(const Scales& s, const ComplexMatrix& shapes,
+                                                                const std::vector<Mode*>& near) const {
   const small::Svd svd = small::singular_value_decomposition(shapes.topRows(kept_));
   const bool trusted = std::all_of(near.begin(), near.end(), [](const Mode* m) { return m->error_bound <= farthest_movement * m->omega; });
   const Index resting = shapes.cols() - (trusted ? (svd.values.array() > worth_a_look).count() : 0);
@@ -146,12 +155,15 @@ std::vector<ComponentSeenFrom::Local> ComponentSeenFrom::locals(const Scales& s,
     double omega = m->omega;
     std::vector<Local> found = take_null_vectors(s, v, omega);
     Subspace better = v;
-    for (int step = 0; step < 2 && found.empty() && v.v.cols() > 0; ++step) {  // the shapes may hold others that are almost at the same frequency
+    // the shapes may hold others that are almost at the same frequency
+    for (int step = 0; step < 2 && found.empty() && v.v.cols() > 0; ++step) {
       const ComplexMatrix unscaled = s.internal.cwiseInverse().asDiagonal() * better.v;
       better = spanned(s, turned_to_null(scaled_columns(s, omega), unscaled, taken));
       found = take_null_vectors(s, better, omega);
-      if (!found.empty()) v = std::move(better);
-      else if (!(better.smallest <= worth_a_look)) break;
+      if (!found.empty())
+        v = std::move(better);
+      else if (!(better.smallest <= worth_a_look))
+        break;
     }
     for (const Local& y : found) {
       taken.conservativeResize(Eigen::NoChange, taken.cols() + 1);
@@ -177,8 +189,10 @@ ComplexVector ComponentSeenFrom::in_system(const ComplexVector& x, Index n) cons
   return normalised(std::move(whole));
 }
 
-// Of the modes of one energy sign as many become local as there are local modes of that sign: those whose shapes keep least beside the local ones.
-void ComponentSeenFrom::assign(const Scales& s, const ComplexMatrix& shapes, const std::vector<Mode*>& modes, const std::vector<Local>& mine, const std::vector<Local>& all) const {
+// Of the modes of one energy sign as many become local as there are local modes of that sign: those whose shapes keep
+// least beside the local ones.
+void ComponentSeenFrom::assign(const Scales& s, const ComplexMatrix& shapes, const std::vector<Mode*>& modes,
+                               const std::vector<Local>& mine, const std::vector<Local>& all) const {
   ComplexMatrix beside(shapes.rows(), shapes.cols());
   for (Index k = 0; k < shapes.cols(); ++k) {
     const ComplexVector x = s.whole.asDiagonal() * shapes.col(k);
@@ -202,7 +216,8 @@ void ComponentSeenFrom::assign(const Scales& s, const ComplexMatrix& shapes, con
 
 ComponentSeenFrom::Scales ComponentSeenFrom::scales(double omega) const {
   const Matrix size = stiffness_.cwiseAbs() + omega * gyroscopic_.cwiseAbs() + omega * omega * mass_.cwiseAbs();
-  Scales s{equilibrating_scale(size), equilibrating_scale(Matrix(size.bottomRightCorner(internal(), internal()))), Vector::Zero(size.rows())};
+  Scales s{equilibrating_scale(size), equilibrating_scale(Matrix(size.bottomRightCorner(internal(), internal()))),
+           Vector::Zero(size.rows())};
   const Vector largest = (size.topRightCorner(kept_, internal()) * s.internal.asDiagonal()).rowwise().maxCoeff();
   for (Index i = 0; i < kept_; ++i) s.rows(i) = largest(i) > 0 ? 1 / largest(i) : 0;
   s.rows.tail(internal()) = s.internal;

@@ -20,11 +20,14 @@ double open_error(const SolvedComponent& c, Index i) {
   return std::isfinite(error) ? std::max(error, 4 * epsilon * omega) : 1e-6 * omega;
 }
 
-// A shape and frequency whose residual rounding does not explain are no mode, whatever the counts say: error bounds hold for eigenpairs. The solvers leave some 7 n ε at most. Where every root was shown to exist, by bounds
-// that hold the residual, a shape may be a hundred times worse: with K near singular its small part is that ill determined.
+// A shape and frequency whose residual rounding does not explain are no mode, whatever the counts say: error bounds
+// hold for eigenpairs. The solvers leave some 7 n ε at most. Where every root was shown to exist, by bounds that hold
+// the residual, a shape may be a hundred times worse: with K near singular its small part is that ill determined.
 std::string doubt_of(const SolvedComponent& c, Index i) {
   const double limit = (c.verdict.all_shown ? 100 : 1) * solver_residual(c.spectrum.size()), residual = c.assessment.own_residual(i);
-  return residual <= limit ? "" : fmt::format("the root at ω = {:.6g} has the residual {:.2g}, above {:.2g}", c.spectrum.omega(i), residual, limit);
+  return residual <= limit
+             ? ""
+             : fmt::format("the root at ω = {:.6g} has the residual {:.2g}, above {:.2g}", c.spectrum.omega(i), residual, limit);
 }
 
 }  // namespace
@@ -37,7 +40,8 @@ MatrixSpectrum::MatrixSpectrum(SolvedSystem solved) : solved_(std::move(solved))
       places_.push_back({&c, k});
     }
     for (Index k = 0; k < c.spectrum.omega.size(); ++k) {
-      roots_.push_back({c.spectrum.omega(k), open_error(c, k), c.verdict.energy_sign[static_cast<std::size_t>(k)], false, false, doubt_of(c, k)});
+      roots_.push_back(
+          {c.spectrum.omega(k), open_error(c, k), c.verdict.energy_sign[static_cast<std::size_t>(k)], false, false, doubt_of(c, k)});
       places_.push_back({&c, k});
     }
   }
@@ -84,10 +88,12 @@ Index MatrixSpectrum::missed_by_signs(const Window& range) const {
 
 std::string MatrixSpectrum::open_reason() const { return "the index balance does not close: " + solved_.open_reason(); }
 
-// Beyond some order no factorisation is spent on gaps where Parseval's identity has shown that no root is listed twice: with as many as there must be none is missing then.
+// Beyond some order no factorisation is spent on gaps where Parseval's identity has shown that no root is listed twice:
+// with as many as there must be none is missing then.
 bool MatrixSpectrum::isolated() const {
   constexpr Index factorisations_cost = 64;
-  return solved_.size > factorisations_cost && std::all_of(solved_.components.begin(), solved_.components.end(), [](const SolvedComponent& c) { return c.assessment.no_root_twice; });
+  return solved_.size > factorisations_cost && std::all_of(solved_.components.begin(), solved_.components.end(),
+                                                           [](const SolvedComponent& c) { return c.assessment.no_root_twice; });
 }
 
 ComplexVector MatrixSpectrum::shape_of(const SolvedComponent& c, const ComplexVector& part) const {

@@ -15,7 +15,9 @@ namespace {
 
 void require_method(Method method) {
   if (method == Method::exact) {
-    throw NotApplicable("method 'exact' serves spacecraft models with continuum booms, and this is a matrix model; 'auto', 'quadrature', 'hidden', 'general', 'first-order' or 'symmetric-2n' apply");
+    throw NotApplicable(
+        "method 'exact' serves spacecraft models with continuum booms, and this is a matrix model; 'auto', 'quadrature', 'hidden', "
+        "'general', 'first-order' or 'symmetric-2n' apply");
   }
 }
 

@@ -15,9 +15,13 @@ struct ModesOptions {
   Method method = Method::automatic;  ///< the best for the class; the classical 2n methods are there to compare with
   Window window;                      ///< modes reported; a dense solver finds all whatever the window
   std::optional<Index> lowest;        ///< only so many that are not rigid-body modes, with the rigid-body ones below them
-  Labels keep;                        ///< matrices of second order: coordinates to see the modes from (modes in which they take no part are local); empty: all
-  bool shapes = false;                ///< n complex numbers a mode
-  Progress progress;                  ///< told modes or components; where it stops, what is known by then is returned (Coverage::interrupted), or Interrupted thrown where nothing is
+  /// matrices of second order: coordinates to see the modes from (modes in which they take no part are local); empty:
+  /// all
+  Labels keep;
+  bool shapes = false;  ///< n complex numbers a mode
+  /// told modes or components; where it stops, what is known by then is returned (Coverage::interrupted), or
+  /// Interrupted thrown where nothing is
+  Progress progress;
 };
 
 /// All modes of a dense system in a window, with stability verdict and coverage (theory §1, §3–§5).
@@ -27,13 +31,15 @@ struct ModesOptions {
 ModesResult find_modes(const System& system, const ModesOptions& options = {});
 ModesResult find_modes(const FirstOrderSystem& system, const ModesOptions& options = {});
 
-/// Modes of a spacecraft with exact booms in a window, or the lowest so many: none missing where `complete`. Spin phase and axial translation (ω = 0) and the tilt of the momentum axis
-/// (ω = Ω) are listed as rigid-body modes; translation across the axis is no mode of a body free in space and is not.
+/// Modes of a spacecraft with exact booms in a window, or the lowest so many: none missing where `complete`. Spin phase
+/// and axial translation (ω = 0) and the tilt of the momentum axis (ω = Ω) are listed as rigid-body modes; translation
+/// across the axis is no mode of a body free in space and is not.
 /// @throws InvalidArgument for an open window without `lowest`, as there are infinitely many modes
 /// @throws NotApplicable for a method of matrix models; TooLarge for more than 20 000 modes of booms
 ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options = {});
 
-/// How many modes a window holds (theory (T9), (T10)): of matrices all are found and counted, of a spacecraft by the counts at the ends alone.
+/// How many modes a window holds (theory (T9), (T10)): of matrices all are found and counted, of a spacecraft by the
+/// counts at the ends alone.
 /// @throws InvalidArgument for a window that is none, or one of a spacecraft with an open end
 CountResult count_modes(const System& system, const Window& window);
 CountResult count_modes(const FirstOrderSystem& system, const Window& window);

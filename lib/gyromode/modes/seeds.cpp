@@ -18,7 +18,8 @@ void add_pairs(const ModesResult& twin, double unit, Seeds& seeds) {
   for (const Mode& negative : twin.negative_modes) {
     for (const Mode& m : twin.modes) {
       const double gap = std::abs(m.omega - negative.omega);
-      if (m.energy_sign > 0 && gap > 0 && gap <= near * negative.omega) seeds.growing.push_back(Complex(0.5 * gap, 0.5 * (m.omega + negative.omega)) / unit);
+      if (m.energy_sign > 0 && gap > 0 && gap <= near * negative.omega)
+        seeds.growing.push_back(Complex(0.5 * gap, 0.5 * (m.omega + negative.omega)) / unit);
     }
   }
   for (const UnstableMode& u : twin.unstable) {

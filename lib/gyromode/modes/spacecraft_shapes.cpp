@@ -38,12 +38,14 @@ std::vector<ComplexMatrix> field_of(const SpacecraftSpectrum& s, const Root& r, 
   for (const auto& part : s.impedance().parts()) {
     std::vector<ComplexMatrix> relative;
     if (!r.rigid) {
-      relative = part.appendage->displaced(r.omega, s.impedance().body_vector(r.omega, r.vector), r.vector.segment(part.first, part.appendage->coordinates()));
+      relative = part.appendage->displaced(r.omega, s.impedance().body_vector(r.omega, r.vector),
+                                           r.vector.segment(part.first, part.appendage->coordinates()));
     }
     const std::vector<Outline> lines = part.appendage->outlines();
     for (std::size_t i = 0; i < lines.size(); ++i) {
       ComplexMatrix d(3, static_cast<Index>(lines[i].points.size()));
-      for (Index k = 0; k < d.cols(); ++k) d.col(k) = q.head<3>() + rotated(q.tail<3>(), length * lines[i].points[static_cast<std::size_t>(k)]);
+      for (Index k = 0; k < d.cols(); ++k)
+        d.col(k) = q.head<3>() + rotated(q.tail<3>(), length * lines[i].points[static_cast<std::size_t>(k)]);
       if (!relative.empty()) d += length * relative[i];
       all.push_back(std::move(d));
     }
@@ -68,7 +70,8 @@ std::vector<ModelOutline> outlines_of(const SpacecraftSpectrum& s) {
   for (const auto& part : s.impedance().parts()) {
     for (const Outline& o : part.appendage->outlines()) {
       ModelOutline line{o.name, {}};
-      for (const Eigen::Vector3d& p : o.points) line.points.push_back(s.impedance().unit_length() * p + Eigen::Vector3d(0, 0, s.spacecraft().centre()));
+      for (const Eigen::Vector3d& p : o.points)
+        line.points.push_back(s.impedance().unit_length() * p + Eigen::Vector3d(0, 0, s.spacecraft().centre()));
       all.push_back(std::move(line));
     }
   }

@@ -18,7 +18,8 @@ namespace {
 // Where a root may be: its error bound, and not less than what rounding of ω itself leaves open.
 double open_error(const Root& r) { return std::max(r.error, 4 * epsilon * r.omega); }
 
-// The tilt is the root at Ω: H(Ω) takes (θ1, θ2) = (1, j) to zero. Of several so near it is the one that is most like it.
+// The tilt is the root at Ω: H(Ω) takes (θ1, θ2) = (1, j) to zero. Of several so near it is the one that is most like
+// it.
 void name_tilt(std::vector<Root>& all) {
   Root* tilt = nullptr;
   double best = 0;
@@ -40,13 +41,17 @@ void name_tilt(std::vector<Root>& all) {
   std::stable_sort(all.begin(), all.end(), [](const Root& x, const Root& y) { return x.omega < y.omega; });
 }
 
-// Spin phase (axis 3 of θ), axial translation (axis 3 of ζ), and the neutral patterns of wires, in which the body rests: pairs of zero roots.
+// Spin phase (axis 3 of θ), axial translation (axis 3 of ζ), and the neutral patterns of wires, in which the body
+// rests: pairs of zero roots.
 Mode zero_mode(std::size_t which, bool with_shape) {
   constexpr Index axial = 2, spin_phase = 5;
   Mode m;
   m.energy_sign = 0;
   m.kind = ModeKind::rigid_body;
-  if (with_shape) m.shape = which == 0 ? ComplexVector(ComplexVector::Unit(6, axial)) : which == 1 ? ComplexVector(ComplexVector::Unit(6, spin_phase)) : ComplexVector(ComplexVector::Zero(6));
+  if (with_shape)
+    m.shape = which == 0   ? ComplexVector(ComplexVector::Unit(6, axial))
+              : which == 1 ? ComplexVector(ComplexVector::Unit(6, spin_phase))
+                           : ComplexVector(ComplexVector::Zero(6));
   return m;
 }
 
@@ -70,8 +75,10 @@ std::string doubt_of(const Root& r, double unit) {
 }  // namespace
 
 SpacecraftSpectrum::SpacecraftSpectrum(const Spacecraft& s)
-    : spacecraft_(s), impedance_(s),
-      roots_(impedance_, SpacecraftImpedance::free_coordinates(), SpacecraftImpedance::cyclic_coordinates(), impedance_.neutral_patterns(), [&s](Index attempt) { return seeds_of(s, attempt); }),
+    : spacecraft_(s),
+      impedance_(s),
+      roots_(impedance_, SpacecraftImpedance::free_coordinates(), SpacecraftImpedance::cyclic_coordinates(), impedance_.neutral_patterns(),
+             [&s](Index attempt) { return seeds_of(s, attempt); }),
       opposite_gap_(gap_of_opposite_signs()) {}
 
 Index SpacecraftSpectrum::zero_roots() const {
@@ -90,15 +97,22 @@ RootRange SpacecraftSpectrum::roots(const Window& range, const Progress& progres
   RootRange r;
   r.known_below = between.known_below;
   r.roots.assign(zeros, {0, 0, 0, true, true, ""});
-  for (const Root& root : *found) r.roots.push_back({root.omega, open_error(root), root.energy_sign, false, root.rigid, doubt_of(root, unit())});
-  r.mode = [this, found, zeros](std::size_t i, bool with_shape) { return i < zeros ? zero_mode(i, with_shape) : mode_of(*this, (*found)[i - zeros], with_shape); };
+  for (const Root& root : *found)
+    r.roots.push_back({root.omega, open_error(root), root.energy_sign, false, root.rigid, doubt_of(root, unit())});
+  r.mode = [this, found, zeros](std::size_t i, bool with_shape) {
+    return i < zeros ? zero_mode(i, with_shape) : mode_of(*this, (*found)[i - zeros], with_shape);
+  };
   return r;
 }
 
-std::string SpacecraftSpectrum::reach_reason() const { return fmt::format("fields of wires are followed up to {:.0e} times the spin, {:.6g} rad/s", farthest_over_spin, farthest_over_spin * unit()); }
+std::string SpacecraftSpectrum::reach_reason() const {
+  return fmt::format("fields of wires are followed up to {:.0e} times the spin, {:.6g} rad/s", farthest_over_spin,
+                     farthest_over_spin * unit());
+}
 
 Index SpacecraftSpectrum::missed_by_signs(const Window& range) const {
-  return 2 * std::count_if(roots_.negative_energy().begin(), roots_.negative_energy().end(), [&](const Root& r) { return range.contains(r.omega); });
+  return 2 * std::count_if(roots_.negative_energy().begin(), roots_.negative_energy().end(),
+                           [&](const Root& r) { return range.contains(r.omega); });
 }
 
 Index SpacecraftSpectrum::negative_at_zero() const {
@@ -109,14 +123,16 @@ Index SpacecraftSpectrum::negative_at_zero() const {
 }
 
 std::string SpacecraftSpectrum::open_reason() const {
-  return roots_.at_zero().doubtful ? "the static stiffness is singular to rounding" : "the index balance does not close: modes of negative energy or growing ones are missing";
+  return roots_.at_zero().doubtful ? "the static stiffness is singular to rounding"
+                                   : "the index balance does not close: modes of negative energy or growing ones are missing";
 }
 
 IndexBalance SpacecraftSpectrum::balance() const {
   IndexBalance b;
   b.negative = roots_.at_zero().negative;
   Index reduced = 0;
-  for (std::size_t k = 0; k < roots_.at_zero().reduced.size(); ++k) reduced += roots_.at_zero().reduced[k] * roots_.blocked().blocks[k].copies();
+  for (std::size_t k = 0; k < roots_.at_zero().reduced.size(); ++k)
+    reduced += roots_.at_zero().reduced[k] * roots_.blocked().blocks[k].copies();
   for (const UnstableRoot& g : roots_.growing()) (g.omega > 0 ? b.quadruples : b.real_pairs) += g.copies;
   b.negative_energy = static_cast<Index>(roots_.negative_energy().size());
   b.zero = zero_roots();
@@ -155,7 +171,10 @@ std::string SpacecraftSpectrum::solver() const {
   return fmt::format("exact fields, poles lifted: {} {} apart ({}{}), roots bisected on the count{}", all, all == 1 ? "block" : "blocks",
                      real == all ? "all real symmetric" : fmt::format("{} real symmetric, {} Hermitian", real, all - real),
                      local > 0 ? fmt::format(", {} boom patterns without the body", local) : "",
-                     !roots_.indefinite() ? "" : roots_.asked_for_seeds() ? " with signs; negative energy and growth from the signs and from a twin of finite elements, made exact" : " with signs; negative energy and growth from the signs");
+                     !roots_.indefinite() ? ""
+                     : roots_.asked_for_seeds()
+                         ? " with signs; negative energy and growth from the signs and from a twin of finite elements, made exact"
+                         : " with signs; negative energy and growth from the signs");
 }
 
 double SpacecraftSpectrum::above_all() const {

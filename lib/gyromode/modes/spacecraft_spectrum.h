@@ -9,7 +9,8 @@ namespace gyromode {
 /// Fields of wires are marched in some ω/Ω steps, and followed no farther than this.
 constexpr double farthest_over_spin = 1e7;
 
-/// The roots of a spacecraft with exact booms, isolated by counts, range by range. Frequencies are over the spin. Spin phase and axial translation (ω = 0) and the tilt of the momentum axis (ω = Ω) are rigid-body roots.
+/// The roots of a spacecraft with exact booms, isolated by counts, range by range. Frequencies are over the spin. Spin
+/// phase and axial translation (ω = 0) and the tilt of the momentum axis (ω = Ω) are rigid-body roots.
 class SpacecraftSpectrum : public CountedSpectrum {
  public:
   explicit SpacecraftSpectrum(const Spacecraft& s);

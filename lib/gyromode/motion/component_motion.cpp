@@ -16,10 +16,17 @@ State plus(State a, const State& b) { return {a.q + b.q, a.qdot + b.qdot}; }
 
 }  // namespace
 
-double energy_of(const State& w, const Matrix& mass, const Matrix& stiffness) { return 0.5 * (w.qdot.dot(mass * w.qdot) + w.q.dot(stiffness * w.q)); }
+double energy_of(const State& w, const Matrix& mass, const Matrix& stiffness) {
+  return 0.5 * (w.qdot.dot(mass * w.qdot) + w.q.dot(stiffness * w.q));
+}
 
 ComponentMotion::ComponentMotion(const System& system, const SolvedComponent& c)
-    : order_(c.spectrum.order), matrices_(system, order_), modal_(matrices_, c), zero_(matrices_, c.spectrum.zero_pairs()), norm_(matrices_, c), weights_(modal_.size()) {
+    : order_(c.spectrum.order),
+      matrices_(system, order_),
+      modal_(matrices_, c),
+      zero_(matrices_, c.spectrum.zero_pairs()),
+      norm_(matrices_, c),
+      weights_(modal_.size()) {
   for (Index k = 0; k < modal_.size(); ++k) {
     const Vector re = modal_.shapes().col(k).real(), im = modal_.shapes().col(k).imag();
     weights_(k) = std::hypot(norm_({re, -modal_.omega()(k) * im}), norm_({im, modal_.omega()(k) * re}));
@@ -72,7 +79,8 @@ Split ComponentMotion::split(const State& w) {
   return s;
 }
 
-// Phases run away by the errors of the frequencies, those of modes with more than 10⁻⁶ of what was split: the others cannot spoil more than that.
+// Phases run away by the errors of the frequencies, those of modes with more than 10⁻⁶ of what was split: the others
+// cannot spoil more than that.
 double ComponentMotion::drift_of(const Split& s) const {
   constexpr double takes_part = 1e-6;
   const Vector sizes = sizes_of_modes(s);
@@ -125,7 +133,8 @@ void ComponentMotion::add_shares(const Vector& scale, std::vector<ModalShare>& t
     shape = shape.cwiseProduct(scale.cast<Complex>()).eval();
     const Complex factor = 2.0 * a(k) * largest_entry(shape);
     const double form = modal_.form()(k), amplitude = std::abs(factor);
-    to.push_back({modal_.omega()(k), amplitude, amplitude > 0 ? std::arg(factor) + 0.0 : 0, modal_.omega()(k) * form * std::norm(a(k)), form > 0 ? 1 : -1, normalised(std::move(shape))});
+    to.push_back({modal_.omega()(k), amplitude, amplitude > 0 ? std::arg(factor) + 0.0 : 0, modal_.omega()(k) * form * std::norm(a(k)),
+                  form > 0 ? 1 : -1, normalised(std::move(shape))});
   }
 }
 

@@ -11,7 +11,9 @@
 
 namespace gyromode {
 
-/// What sets a component in motion, an initial state or the accelerations of a force, in the three parts of its motion. Sizes are in the EnergyNorm: rounding is what is small beside the size of what was split, or beside the largest of its parts.
+/// What sets a component in motion, an initial state or the accelerations of a force, in the three parts of its motion.
+/// Sizes are in the EnergyNorm: rounding is what is small beside the size of what was split, or beside the largest of
+/// its parts.
 struct Split {
   ComplexVector modes;  ///< amplitudes a
   Vector zero;          ///< coordinates of the ZeroPart
@@ -29,7 +31,8 @@ class ComponentMotion {
   ComponentMotion(const ComponentMotion&) = delete;
   ComponentMotion& operator=(const ComponentMotion&) = delete;
 
-  /// Takes the state apart, then what lasting forces push: accelerations `pushes[k]` = M⁻¹f with the course cos(frequencies[k] · t), in the order of the component.
+  /// Takes the state apart, then what lasting forces push: accelerations `pushes[k]` = M⁻¹f with the course
+  /// cos(frequencies[k] · t), in the order of the component.
   void start(const State& w, const std::vector<Vector>& pushes, const std::vector<double>& frequencies);
 
   const std::vector<Index>& order() const { return order_; }

@@ -12,7 +12,9 @@ namespace gyromode {
 
 namespace {
 
-Driven judged(bool met, double participation, double resolution) { return !met ? Driven::no : participation > resolution ? Driven::yes : Driven::undecided; }
+Driven judged(bool met, double participation, double resolution) {
+  return !met ? Driven::no : participation > resolution ? Driven::yes : Driven::undecided;
+}
 
 // A run of modes that their errors let coincide, [first, last]: their span is what is determined.
 struct Run {
@@ -47,7 +49,8 @@ struct DrivenComponent {
     return gap;
   }
 
-  // An error δω of the bounds turns a shape towards that of a root at the distance `gap` by δω/gap, to first order; ten times, as energies and lengths of the two differ.
+  // An error δω of the bounds turns a shape towards that of a root at the distance `gap` by δω/gap, to first order; ten
+  // times, as energies and lengths of the two differ.
   void add_run(const Run& r) {
     double work2 = 0, worst = 0;
     bool met = false;
@@ -60,10 +63,12 @@ struct DrivenComponent {
     const double participation = whole > 0 ? std::min(1.0, std::sqrt(work2) / whole) : 0;
     const double own = whole > 0 ? size / whole : 0;
     const double resolution = own * std::min(1.0, 10 * (static_cast<double>(force.size()) * epsilon + worst / gap(r)));
-    for (Index k = r.first; k <= r.last; ++k) to.push_back({omega()(k), error(k), participation, resolution, judged(met, participation, resolution)});
+    for (Index k = r.first; k <= r.last; ++k)
+      to.push_back({omega()(k), error(k), participation, resolution, judged(met, participation, resolution)});
   }
 
-  // Places and drifts that the force excites: the response at rest is unbounded. What is excited is compared with the terms that add up to it.
+  // Places and drifts that the force excites: the response at rest is unbounded. What is excited is compared with the
+  // terms that add up to it.
   DrivenMode at_rest() const {
     constexpr double resolution = 1e-10;
     const ZeroPart zero(matrices, solved.spectrum.zero_pairs());
@@ -99,7 +104,7 @@ std::string_view to_string(Driven d) {
 std::vector<DrivenMode> driven_modes(const SolvedSystem& solved, const UnitMasses& units, const Vector& given) {
   const double largest = given.size() > 0 ? given.cwiseAbs().maxCoeff() : 0;
   const Vector force = given / power_of_two_near(largest);  // its size does not matter; squares of it are taken
-  const auto size = [](Vector f, const Matrix& mass) {  // √(fᵀM⁻¹f)
+  const auto size = [](Vector f, const Matrix& mass) {      // √(fᵀM⁻¹f)
     lapack::solve_lower(lapack::Cholesky(mass).lower(), f);
     return f.norm();
   };

@@ -22,7 +22,8 @@ double shift(const ComponentMatrices& m, const SolvedComponent& c) {
 
 }  // namespace
 
-EnergyNorm::EnergyNorm(const ComponentMatrices& m, const SolvedComponent& component) : mass_(m.mass), stiffness_(m.stiffness + shift(m, component) * m.mass) {
+EnergyNorm::EnergyNorm(const ComponentMatrices& m, const SolvedComponent& component)
+    : mass_(m.mass), stiffness_(m.stiffness + shift(m, component) * m.mass) {
   if (stiffness_.positive()) return;
   // K is positive by rounding only: its largest frequency serves all.
   const double typical = component.impedance.typical_frequency();

@@ -5,8 +5,9 @@
 
 namespace gyromode {
 
-/// How large a motion is: |w|² = q̇ᵀMq̇ + qᵀ(K + cM)q, twice the energy where K > 0, c = 0. Else c is twice what makes K + cM positive, so that slow motion counts as fast one does: by its
-/// velocities. With LLᵀ = M and RᵀR = K + cM it is the length of x = (Rq, Lᵀq̇), in which the matrix of the motion is skew for K > 0 (theory (T8)).
+/// How large a motion is: |w|² = q̇ᵀMq̇ + qᵀ(K + cM)q, twice the energy where K > 0, c = 0. Else c is twice what makes K
+/// + cM positive, so that slow motion counts as fast one does: by its velocities. With LLᵀ = M and RᵀR = K + cM it is
+/// the length of x = (Rq, Lᵀq̇), in which the matrix of the motion is skew for K > 0 (theory (T8)).
 class EnergyNorm {
  public:
   EnergyNorm(const ComponentMatrices& m, const SolvedComponent& component);

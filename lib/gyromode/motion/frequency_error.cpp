@@ -16,7 +16,8 @@ struct Projections {
 };
 
 Projections projected(const Matrix& x_re, const Matrix& x_im, const Matrix& re, const Matrix& im) {
-  const Matrix rr = lapack::multiply_tn(x_re, re), ii = lapack::multiply_tn(x_im, im), ri = lapack::multiply_tn(x_re, im), ir = lapack::multiply_tn(x_im, re);
+  const Matrix rr = lapack::multiply_tn(x_re, re), ii = lapack::multiply_tn(x_im, im), ri = lapack::multiply_tn(x_re, im),
+               ir = lapack::multiply_tn(x_im, re);
   return {((rr + ii).cwiseAbs2() + (ri - ir).cwiseAbs2()).cwiseSqrt(), ((rr - ii).cwiseAbs2() + (ri + ir).cwiseAbs2()).cwiseSqrt()};
 }
 

@@ -19,7 +19,8 @@ void require(const Vector& force, const Vector& grid, Index n) {
   if (!force.allFinite() || !grid.allFinite()) throw InvalidArgument("force and grid must be finite");
   for (Index k = 0; k < grid.size(); ++k) {
     if (!(grid(k) >= 0)) throw InvalidArgument(fmt::format("grid: a frequency of {:g} where ω ≥ 0 was expected", grid(k)));
-    if (k > 0 && !(grid(k) > grid(k - 1))) throw InvalidArgument(fmt::format("grid: {:.17g} after {:.17g} where ascending frequencies were expected", grid(k), grid(k - 1)));
+    if (k > 0 && !(grid(k) > grid(k - 1)))
+      throw InvalidArgument(fmt::format("grid: {:.17g} after {:.17g} where ascending frequencies were expected", grid(k), grid(k - 1)));
   }
 }
 
@@ -78,7 +79,8 @@ std::vector<double> FrequencyResponse::resonances() const {
   return all;
 }
 
-FrequencyResponse frequency_response(const System& system, const Vector& force, const Vector& grid, bool resolve, const Progress& progress) {
+FrequencyResponse frequency_response(const System& system, const Vector& force, const Vector& grid, bool resolve,
+                                     const Progress& progress) {
   require(force, grid, system.size());
   FrequencyResponse r;
   if (grid.size() == 0) return r;

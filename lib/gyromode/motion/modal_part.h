@@ -14,10 +14,12 @@ struct ComponentMatrices {
   ComponentMatrices(const System& system, const std::vector<Index>& order);
 };
 
-/// The undamped simple modes of a component as a basis of motion: (q, q̇) = Σ 2 Re a_s (X_s, jω_s X_s) e^{jω_s t} (Boland & Janssens 1979, Eq. 7). With 𝒮 = [G M; −M 0] two
-/// motions e^{λt} have w_kᴴ𝒮w_i = 0 unless λ_i = −λ̄_k, so that
+/// The undamped simple modes of a component as a basis of motion: (q, q̇) = Σ 2 Re a_s (X_s, jω_s X_s) e^{jω_s t}
+/// (Boland & Janssens 1979, Eq. 7). With 𝒮 = [G M; −M 0] two motions e^{λt} have w_kᴴ𝒮w_i = 0 unless λ_i = −λ̄_k, so
+/// that
 ///     a_s = (ω_s X_sᴴMq − jX_sᴴ(Mq̇ + Gq)) / X_sᴴ(2ω_sM − jG)X_s
-/// without a linear solve. A force f u(t) gives ȧ = jωa + h u(t) with h the amplitudes of the state (0, M⁻¹f). Modes whose form vanishes to rounding (double roots of opposite energy) are left to the Remainder.
+/// without a linear solve. A force f u(t) gives ȧ = jωa + h u(t) with h the amplitudes of the state (0, M⁻¹f). Modes
+/// whose form vanishes to rounding (double roots of opposite energy) are left to the Remainder.
 class ModalPart {
  public:
   ModalPart(const ComponentMatrices& matrices, const SolvedComponent& component);

@@ -59,8 +59,8 @@ Matrix Remainder::image(const ComponentMatrices& m) const {
   return a;
 }
 
-// A·basis − basis·B has parts r_s in the modes. The basis less Σ 2 Re w_s z_s, z_s(jω_s − B) = r_s, has none: with B = UTUᴴ, T triangular, z_s = (r_sU)(jω_s − T)⁻¹Uᴴ.
-// What r leaves is in no mode, and counts relative to B.
+// A·basis − basis·B has parts r_s in the modes. The basis less Σ 2 Re w_s z_s, z_s(jω_s − B) = r_s, has none: with B =
+// UTUᴴ, T triangular, z_s = (r_sU)(jω_s − T)⁻¹Uᴴ. What r leaves is in no mode, and counts relative to B.
 Remainder::Correction Remainder::correction(const ComponentMatrices& m, const ModalPart& modal, Matrix departure) const {
   const Index d = size();
   const double rate = generator_.norm();

@@ -6,9 +6,11 @@
 
 namespace gyromode {
 
-/// What is left of a motion when its simple undamped modes and its zero roots are taken out: growth and decay, and double roots of opposite energies. Those span an invariant subspace of known
-/// dimension, the range of the projection that strips everything else. An orthonormal basis of the whole of it is made from random states, stripped: it belongs to the system, and no motion has a
-/// part in its making, so that a remainder that is only rounding cannot turn it. Time goes by through the exponential of the small matrix, or, at a double root jω, exactly as e^{jωt}(1 + tN)
+/// What is left of a motion when its simple undamped modes and its zero roots are taken out: growth and decay, and
+/// double roots of opposite energies. Those span an invariant subspace of known dimension, the range of the projection
+/// that strips everything else. An orthonormal basis of the whole of it is made from random states, stripped: it
+/// belongs to the system, and no motion has a part in its making, so that a remainder that is only rounding cannot turn
+/// it. Time goes by through the exponential of the small matrix, or, at a double root jω, exactly as e^{jωt}(1 + tN)
 /// with N² = 0: linear in t.
 class Remainder {
  public:
@@ -22,8 +24,9 @@ class Remainder {
   /// The response to g cos νt from rest.
   Vector driven(const Vector& g, double nu, double t) const;
 
-  /// How far from invariant the basis is: the size, beside its own length 1, of the correction that would take the parts of A·basis − basis·generator in the modes away, A the matrix of the motion;
-  /// what is in no mode, relative to the generator.
+  /// How far from invariant the basis is: the size, beside its own length 1, of the correction that would take the
+  /// parts of A·basis − basis·generator in the modes away, A the matrix of the motion; what is in no mode, relative to
+  /// the generator.
   double departure() const { return departure_; }
   /// What rounding may have made of the rates of the generator, in 1 over the unit of time.
   double rate_error() const { return rate_error_; }
@@ -40,8 +43,8 @@ class Remainder {
   void recognise_double_root();
 
   const EnergyNorm* norm_;  // of which x are coordinates
-  Matrix basis_;      // 2n × d, orthonormal, of x
-  Matrix generator_;  // d × d: ẏ = generator y, per unit of time
+  Matrix basis_;            // 2n × d, orthonormal, of x
+  Matrix generator_;        // d × d: ẏ = generator y, per unit of time
   double departure_ = 0, rate_error_ = 0;
   double double_root_ = 0;  // ω of a double pair ±jω, 0 where the generator is none
   Matrix semisimple_, nilpotent_;

@@ -25,7 +25,8 @@ void require(const Vector& v, Index n, const char* what) {
 Response::~Response() = default;
 Response::Response(Response&&) noexcept = default;
 
-Response::Response(const System& system, const State& initial, const std::vector<Force>& forces) : units_(std::make_unique<const UnitMasses>(with_unit_masses(system))), start_(initial) {
+Response::Response(const System& system, const State& initial, const std::vector<Force>& forces)
+    : units_(std::make_unique<const UnitMasses>(with_unit_masses(system))), start_(initial) {
   const Index n = system.size();
   require(initial.q, n, "initial displacements");
   require(initial.qdot, n, "initial velocities");
@@ -88,7 +89,9 @@ State Response::at(double t) const {
   return {w.q.cwiseProduct(units_->scale), w.qdot.cwiseProduct(units_->scale)};
 }
 
-History Response::at(const Vector& times, const Progress& progress) const { return history_of(*this, units_->scale.size(), times, progress); }
+History Response::at(const Vector& times, const Progress& progress) const {
+  return history_of(*this, units_->scale.size(), times, progress);
+}
 
 double Response::energy(const State& w) const { return energy_of(in_units(w), units_->system.mass(), units_->system.stiffness()); }
 

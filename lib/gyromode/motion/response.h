@@ -21,19 +21,20 @@ struct ModalShare {
   double amplitude = 0;  ///< ≥ 0, of the coordinate whose entry in X is 1
   double phase = 0;      ///< rad, in (−π, π]
   double energy = 0;     ///< of its own: their sum is the energy of all modes (negative for a mode of negative energy)
-  int energy_sign = 1;  ///< of the mode
+  int energy_sign = 1;   ///< of the mode
   ComplexVector shape;   ///< X, n, largest entry 1
 };
 
 /// Displacements and velocities over time: n × (number of times).
 struct History {
-  Vector t;  ///< times, ascending
+  Vector t;                  ///< times, ascending
   Matrix q;                  ///< displacements
   Matrix qdot;               ///< velocities
   bool interrupted = false;  ///< work was stopped: the times that were asked for beyond the last are left out
 };
-/// The motion of M q̈ + G q̇ + K q = Σ f u(t) from given q(0), q̇(0), at any time t ≥ 0 without stepping: simple undamped modes as such, zero roots as displaced rest and steady drift, exactly
-/// linear in t; growing motions and double roots by the exponential on their own invariant subspace.
+/// The motion of M q̈ + G q̇ + K q = Σ f u(t) from given q(0), q̇(0), at any time t ≥ 0 without stepping: simple undamped
+/// modes as such, zero roots as displaced rest and steady drift, exactly linear in t; growing motions and double roots
+/// by the exponential on their own invariant subspace.
 class Response {
  public:
   /// Throws InvalidArgument where sizes do not fit or a number is not finite, and what the modes throw.
@@ -53,15 +54,19 @@ class Response {
   /// Of displaced rest and drift, and of what neither modes nor zero roots hold.
   double zero_energy() const { return zero_energy_; }
   double remainder_energy() const { return remainder_energy_; }  ///< of growing motions and double roots
-  /// Coordinates of the invariant subspace of growing motions and double roots that take part; 0 for an ordinary stable motion.
+  /// Coordinates of the invariant subspace of growing motions and double roots that take part; 0 for an ordinary stable
+  /// motion.
   Index remainder_size() const;
-  /// ‖sum of all parts at t = 0 less the initial state‖, or the rounding of the largest part if that is more, over the size of the state, in units that mix nothing; the same of what every
-  /// lasting force pushes; the largest of them: the accuracy of the decomposition.
+  /// ‖sum of all parts at t = 0 less the initial state‖, or the rounding of the largest part if that is more, over the
+  /// size of the state, in units that mix nothing; the same of what every lasting force pushes; the largest of them:
+  /// the accuracy of the decomposition.
   double departure() const { return departure_; }
-  /// rad: what the phases of the modes that take part may be wrong by at time t, the error bounds of their frequencies times t, to first order.
+  /// rad: what the phases of the modes that take part may be wrong by at time t, the error bounds of their frequencies
+  /// times t, to first order.
   double phase_error(double t) const { return phase_drift_ * t; }
   Stability stability() const { return stability_; }  ///< of the system
-  /// The index balance closes (theory §5): the solver's roots account for all 2n and for n₋(K). Nothing is counted a second time, by factorisations, as `modes` does.
+  /// The index balance closes (theory §5): the solver's roots account for all 2n and for n₋(K). Nothing is counted a
+  /// second time, by factorisations, as `modes` does.
   bool balance_closed() const { return balance_closed_; }
 
  private:

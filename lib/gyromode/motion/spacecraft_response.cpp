@@ -45,8 +45,10 @@ struct SpacecraftResponse::Setup {
   State about, of_centre;
   std::vector<Force> on_twin, on_centre;
 
-  Setup(const Spacecraft& s, const State& initial, const std::vector<Force>& forces, const Mesh& mesh) : twin(twin_of(s, mesh)), centre(free_mass(s.rigid().mass, s.spin())) {
-    if (initial.q.size() != 6 || initial.qdot.size() != 6) throw InvalidArgument("a spacecraft starts from six displacements and six rates: zeta1 … theta3");
+  Setup(const Spacecraft& s, const State& initial, const std::vector<Force>& forces, const Mesh& mesh)
+      : twin(twin_of(s, mesh)), centre(free_mass(s.rigid().mass, s.spin())) {
+    if (initial.q.size() != 6 || initial.qdot.size() != 6)
+      throw InvalidArgument("a spacecraft starts from six displacements and six rates: zeta1 … theta3");
     const Index n = twin.system.size();
     about = {Vector::Zero(n), Vector::Zero(n)};
     about.q.head<3>() = initial.q.tail<3>();
@@ -70,14 +72,19 @@ Mesh SpacecraftResponse::mesh_for(const Spacecraft& s) {
   return {elements, std::clamp<Index>(coordinates / (2 * elements * booms), 6, 12)};
 }
 
-SpacecraftResponse::SpacecraftResponse(const Spacecraft& s, const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points)
+SpacecraftResponse::SpacecraftResponse(const Spacecraft& s, const State& initial, const std::vector<Force>& forces,
+                                       const std::vector<BoomPoint>& points)
     : SpacecraftResponse(s, initial, forces, points, mesh_for(s)) {}
 
-SpacecraftResponse::SpacecraftResponse(const Spacecraft& s, const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Mesh& mesh)
+SpacecraftResponse::SpacecraftResponse(const Spacecraft& s, const State& initial, const std::vector<Force>& forces,
+                                       const std::vector<BoomPoint>& points, const Mesh& mesh)
     : SpacecraftResponse(s, Setup(s, initial, forces, mesh), points, mesh) {}
 
 SpacecraftResponse::SpacecraftResponse(const Spacecraft& s, const Setup& setup, const std::vector<BoomPoint>& points, const Mesh& mesh)
-    : mesh_(mesh), labels_(s.labels()), outputs_(output_map(s, mesh, setup.twin, points)), about_centre_(setup.twin.system, setup.about, setup.on_twin),
+    : mesh_(mesh),
+      labels_(s.labels()),
+      outputs_(output_map(s, mesh, setup.twin, points)),
+      about_centre_(setup.twin.system, setup.about, setup.on_twin),
       centre_(setup.centre, setup.of_centre, setup.on_centre) {
   for (const BoomPoint& p : points) {
     for (const char* axis : {".x", ".y", ".z"}) labels_.push_back(p.name() + axis);
@@ -108,6 +115,8 @@ State SpacecraftResponse::at(double t) const {
   return w;
 }
 
-History SpacecraftResponse::at(const Vector& times, const Progress& progress) const { return history_of(*this, outputs_.rows(), times, progress); }
+History SpacecraftResponse::at(const Vector& times, const Progress& progress) const {
+  return history_of(*this, outputs_.rows(), times, progress);
+}
 
 }  // namespace gyromode

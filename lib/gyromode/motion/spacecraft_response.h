@@ -7,15 +7,18 @@
 
 namespace gyromode {
 
-/// The motion of a spacecraft from (ζ, θ) and their rates, booms at first undeformed and at rest relative to the body, in turning axes, m and rad. The booms are finite elements of high
-/// degree (Mesh): with the default one, frequencies up to some twenty spins agree with the exact fields to 1e-10. The mass centre of the whole moves by itself, exactly: straight and steady, which in turning axes
-/// is the double root at the spin; body and booms move about it.
+/// The motion of a spacecraft from (ζ, θ) and their rates, booms at first undeformed and at rest relative to the body,
+/// in turning axes, m and rad. The booms are finite elements of high degree (Mesh): with the default one, frequencies
+/// up to some twenty spins agree with the exact fields to 1e-10. The mass centre of the whole moves by itself, exactly:
+/// straight and steady, which in turning axes is the double root at the spin; body and booms move about it.
 class SpacecraftResponse {
  public:
-  /// `initial` has six displacements and six rates; `forces` act on the six (forces at P along ζ, torques along θ). The points report their displacement ζ + θ × p + u.
-  /// Throws InvalidArgument for sizes and points that do not fit.
-  SpacecraftResponse(const Spacecraft& s, const State& initial, const std::vector<Force>& forces = {}, const std::vector<BoomPoint>& points = {});
-  SpacecraftResponse(const Spacecraft& s, const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points, const Mesh& mesh);
+  /// `initial` has six displacements and six rates; `forces` act on the six (forces at P along ζ, torques along θ). The
+  /// points report their displacement ζ + θ × p + u. Throws InvalidArgument for sizes and points that do not fit.
+  SpacecraftResponse(const Spacecraft& s, const State& initial, const std::vector<Force>& forces = {},
+                     const std::vector<BoomPoint>& points = {});
+  SpacecraftResponse(const Spacecraft& s, const State& initial, const std::vector<Force>& forces, const std::vector<BoomPoint>& points,
+                     const Mesh& mesh);
 
   /// zeta1 … theta3, then x, y, z of every point.
   const Labels& labels() const { return labels_; }
@@ -38,7 +41,7 @@ class SpacecraftResponse {
 
   Mesh mesh_;
   Labels labels_;
-  Matrix outputs_;        // outputs × n: what the coordinates of the twin add to each
+  Matrix outputs_;  // outputs × n: what the coordinates of the twin add to each
   Response about_centre_, centre_;
   std::vector<ModalShare> modal_;
 };

@@ -22,8 +22,8 @@ struct Force {
     harmonic,  ///< u = cos(frequency · t)
   };
   Course course = Course::step;  ///< u
-  Vector amplitude;      ///< f, n
-  double frequency = 0;  ///< rad per unit of time, of a harmonic one
+  Vector amplitude;              ///< f, n
+  double frequency = 0;          ///< rad per unit of time, of a harmonic one
 };
 
 }  // namespace gyromode

@@ -8,7 +8,9 @@ double sinc(double x) { return x == 0 ? 1 : std::sin(x) / x; }
 
 Complex forced(double omega, double nu, double t) {
   // e^{jωt} ∫ e^{j(±ν − ω)s} ds = e^{j(ω ± ν)t/2} t sinc((±ν − ω)t/2)
-  const auto half = [&](double way) { return 0.5 * t * sinc(0.5 * (way * nu - omega) * t) * std::polar(1.0, 0.5 * (omega + way * nu) * t); };
+  const auto half = [&](double way) {
+    return 0.5 * t * sinc(0.5 * (way * nu - omega) * t) * std::polar(1.0, 0.5 * (omega + way * nu) * t);
+  };
   return half(1) + half(-1);
 }
 

@@ -22,7 +22,8 @@ Matrix uncoupled(const Matrix& coupling, double scale) {
   return svd.vt.bottomRows(r - rank).transpose();
 }
 
-// r with Kr = −Gv and NᵀDr = 0: [K B; Bᵀ 0] is regular for B = D⁻¹N, D the scale that takes the units out of K; NᵀGv = 0 makes the multipliers vanish.
+// r with Kr = −Gv and NᵀDr = 0: [K B; Bᵀ 0] is regular for B = D⁻¹N, D the scale that takes the units out of K; NᵀGv =
+// 0 makes the multipliers vanish.
 Matrix displaced_by_drift(const ComponentMatrices& m, const Matrix& null, const Matrix& velocities) {
   const Index n = m.mass.rows(), r = null.cols();
   if (velocities.cols() == 0) return Matrix(n, 0);

@@ -4,11 +4,12 @@
 
 namespace gyromode {
 
-/// The motion of the zero roots of a component: rest in a displaced place, N y with KN = 0, and steady drift, (r + vt) y with Kr = −Gv, Kv = 0. Exactly linear in t.
-/// The projection is the one of 𝒮 (ModalPart), regular on this space.
+/// The motion of the zero roots of a component: rest in a displaced place, N y with KN = 0, and steady drift, (r + vt)
+/// y with Kr = −Gv, Kv = 0. Exactly linear in t. The projection is the one of 𝒮 (ModalPart), regular on this space.
 class ZeroPart {
  public:
-  /// `pairs`: of zero roots, as the solver found. Where longer chains than drift are needed for so many, none is made: complete() is false and the Remainder has them.
+  /// `pairs`: of zero roots, as the solver found. Where longer chains than drift are needed for so many, none is made:
+  /// complete() is false and the Remainder has them.
   ZeroPart(const ComponentMatrices& matrices, Index pairs);
 
   Index size() const { return places_.cols() + drifts_.cols(); }
@@ -26,10 +27,10 @@ class ZeroPart {
 
  private:
   bool complete_ = true;
-  Matrix places_;       // n × r: N
-  Matrix drifts_;       // n × k: r, beside the velocities
-  Matrix velocities_;   // n × k: v = N · combination_
-  Matrix combination_;  // r × k
+  Matrix places_;           // n × r: N
+  Matrix drifts_;           // n × k: r, beside the velocities
+  Matrix velocities_;       // n × k: v = N · combination_
+  Matrix combination_;      // r × k
   Matrix dual_q_, dual_v_;  // size × n: coordinates = dual_q (Gq + Mq̇) − dual_v Mq
 };
 

@@ -8,8 +8,9 @@
 
 namespace gyromode::io {
 
-/// Initial displacements and velocities from a CSV file with the columns label,q,qdot: each label of the model once, in any order; SI, rad. Throws Unreadable with line and value: a column that is
-/// missing, an unknown label (the nearest is named), one given twice or left out, a field that is no finite number.
+/// Initial displacements and velocities from a CSV file with the columns label,q,qdot: each label of the model once, in
+/// any order; SI, rad. Throws Unreadable with line and value: a column that is missing, an unknown label (the nearest
+/// is named), one given twice or left out, a field that is no finite number.
 State read_initial_state(const std::filesystem::path& file, const Labels& labels);
 State parse_initial_state(std::string_view text, const std::filesystem::path& name, const Labels& labels);
 

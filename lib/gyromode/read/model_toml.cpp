@@ -24,8 +24,17 @@ namespace {
 
 using namespace io;
 
-constexpr std::array<std::string_view, 11> matrices_keys{"kind", "title", "reference", "known", "labels", "mass", "gyroscopic", "stiffness", "spin",
-                                                         "gyroscopic_per_spin", "stiffness_per_spin2"};
+constexpr std::array<std::string_view, 11> matrices_keys{"kind",
+                                                         "title",
+                                                         "reference",
+                                                         "known",
+                                                         "labels",
+                                                         "mass",
+                                                         "gyroscopic",
+                                                         "stiffness",
+                                                         "spin",
+                                                         "gyroscopic_per_spin",
+                                                         "stiffness_per_spin2"};
 constexpr std::array<std::string_view, 7> first_order_keys{"kind", "title", "reference", "known", "labels", "inertia", "gyroscopic"};
 constexpr std::array<std::string_view, 3> known_keys{"frequencies", "stability", "class"};
 
@@ -34,7 +43,8 @@ std::optional<Matrix> matrix(const TomlTable& table, std::string_view key, Index
   auto found = table.matrix(key, digest);
   if (!found) return std::nullopt;
   const Matrix& a = *found;
-  if (a.rows() != a.cols()) table.fail(key, fmt::format("'{}' has {} rows and {} columns: a square matrix was expected", key, a.rows(), a.cols()));
+  if (a.rows() != a.cols())
+    table.fail(key, fmt::format("'{}' has {} rows and {} columns: a square matrix was expected", key, a.rows(), a.cols()));
   if (n != 0 && a.rows() != n) {
     table.fail(key, fmt::format("'{0}' is {1} × {1}: the order of the matrices before it, {2} × {2}, was expected", key, a.rows(), n));
   }
@@ -50,13 +60,16 @@ Matrix required(std::optional<Matrix> a, const TomlTable& table, std::string_vie
 // Labels that the file gives must name every coordinate once.
 void require_fitting_labels(const TomlTable& table, const Labels& labels, Index n) {
   if (labels.empty()) return;
-  if (static_cast<Index>(labels.size()) != n) table.fail("labels", fmt::format("'labels' has {} names: {} were expected, one a coordinate", labels.size(), n));
+  if (static_cast<Index>(labels.size()) != n)
+    table.fail("labels", fmt::format("'labels' has {} names: {} were expected, one a coordinate", labels.size(), n));
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i].empty()) table.fail("labels", fmt::format("label {} is empty: a name was expected", i + 1));
     if (has_control_character(labels[i])) {
-      table.fail("labels", fmt::format("label {}, '{}', has a control character: a name that prints on one line was expected", i + 1, shown(labels[i])));
+      table.fail("labels", fmt::format("label {}, '{}', has a control character: a name that prints on one line was expected", i + 1,
+                                       shown(labels[i])));
     }
-    if (std::find(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(i), labels[i]) != labels.begin() + static_cast<std::ptrdiff_t>(i)) {
+    if (std::find(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(i), labels[i]) !=
+        labels.begin() + static_cast<std::ptrdiff_t>(i)) {
       table.fail("labels", fmt::format("label '{}' is given twice: different names were expected", shown(labels[i])));
     }
   }
@@ -82,7 +95,9 @@ std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, std::
   Matrix g = gyroscopic ? std::move(*gyroscopic) : Matrix::Zero(n, n);
   Matrix k = stiffness ? std::move(*stiffness) : Matrix::Zero(n, n);
   if (!spin) return std::make_shared<MatricesModel>(System(std::move(mass), std::move(g), std::move(k), std::move(labels)));
-  return std::make_shared<MatricesModel>(SpinFamily{std::move(mass), std::move(g), per_spin.value_or(Matrix()), std::move(k), per_spin2.value_or(Matrix()), std::move(labels)}, *spin);
+  return std::make_shared<MatricesModel>(
+      SpinFamily{std::move(mass), std::move(g), per_spin.value_or(Matrix()), std::move(k), per_spin2.value_or(Matrix()), std::move(labels)},
+      *spin);
 }
 
 std::shared_ptr<const ModelKind> read_first_order(const TomlTable& table, std::optional<double>&, Digest& digest) {
@@ -114,7 +129,8 @@ constexpr Kind kinds[] = {
 
 std::string quoted_kinds(char quote) {
   std::string words;
-  for (std::size_t k = 0; k < std::size(kinds); ++k) words += fmt::format("{}{}{}{}", k == 0 ? "" : k + 1 == std::size(kinds) ? " or " : ", ", quote, kinds[k].word, quote);
+  for (std::size_t k = 0; k < std::size(kinds); ++k)
+    words += fmt::format("{}{}{}{}", k == 0 ? "" : k + 1 == std::size(kinds) ? " or " : ", ", quote, kinds[k].word, quote);
   return words;
 }
 
@@ -134,7 +150,8 @@ KnownValues read_known(const TomlTable& table) {
   known.frequencies = inner->numbers("frequencies");
   known.stability = one_of(*inner, "stability", {"stable", "gyroscopically_stabilised", "marginal", "unstable"});
   known.system_class = one_of(*inner, "class", {"quadrature", "hidden_quadrature", "general", "transcendental"});
-  if (!std::is_sorted(known.frequencies.begin(), known.frequencies.end())) inner->fail("frequencies", "'frequencies' do not ascend: rad/s in ascending order were expected");
+  if (!std::is_sorted(known.frequencies.begin(), known.frequencies.end()))
+    inner->fail("frequencies", "'frequencies' do not ascend: rad/s in ascending order were expected");
   return known;
 }
 
@@ -147,7 +164,8 @@ Model parse_model(std::string_view text, const std::filesystem::path& name) {
   const std::string word = table.text("kind").value_or("");
   if (word.empty()) table.fail(fmt::format("key 'kind' is missing: kind = {} was expected", quoted_kinds('"')));
   const auto kind = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.word == word; });
-  if (kind == std::end(kinds)) table.fail("kind", fmt::format("kind '{}' is not known to this version: {} was expected", shown(word), quoted_kinds('\'')));
+  if (kind == std::end(kinds))
+    table.fail("kind", fmt::format("kind '{}' is not known to this version: {} was expected", shown(word), quoted_kinds('\'')));
   Digest digest;
   digest.add(text);
   std::optional<double> spin;
@@ -161,15 +179,18 @@ Model parse_model(std::string_view text, const std::filesystem::path& name) {
   return model;
 }
 
-Model read_matrices(const std::filesystem::path& mass, const std::optional<std::filesystem::path>& gyroscopic, const std::filesystem::path& stiffness) {
+Model read_matrices(const std::filesystem::path& mass, const std::optional<std::filesystem::path>& gyroscopic,
+                    const std::filesystem::path& stiffness) {
   Digest digest;
   Index n = 0;
   const auto read = [&](const std::filesystem::path& file) {
     const std::string text = read_text(file, "Matrix Market");
     digest.add(text);
     Matrix a = parse_matrix_market(text, file, most_coordinates);
-    if (a.rows() != a.cols()) throw Unreadable(file, fmt::format("has {} rows and {} columns: a square matrix was expected", a.rows(), a.cols()));
-    if (n != 0 && a.rows() != n) throw Unreadable(file, fmt::format("is {0} × {0}: the order of '{2}', {1} × {1}, was expected", a.rows(), n, mass.string()));
+    if (a.rows() != a.cols())
+      throw Unreadable(file, fmt::format("has {} rows and {} columns: a square matrix was expected", a.rows(), a.cols()));
+    if (n != 0 && a.rows() != n)
+      throw Unreadable(file, fmt::format("is {0} × {0}: the order of '{2}', {1} × {1}, was expected", a.rows(), n, mass.string()));
     n = a.rows();
     return a;
   };

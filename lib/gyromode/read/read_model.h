@@ -8,14 +8,15 @@
 
 namespace gyromode {
 
-/// Reads a TOML model of kind "matrices", "first_order" or "spacecraft" (docs/model-files.md). Throws Unreadable (file, line, column, value and what was
-/// expected) for what cannot be read, LawBroken for what breaks a law.
+/// Reads a TOML model of kind "matrices", "first_order" or "spacecraft" (docs/model-files.md). Throws Unreadable (file,
+/// line, column, value and what was expected) for what cannot be read, LawBroken for what breaks a law.
 Model read_model(const std::filesystem::path& file);
 
 /// The same from text in memory; `name` stands for the file in messages, and matrix files are sought in its folder.
 Model parse_model(std::string_view text, const std::filesystem::path& name);
 
 /// A model from Matrix Market files; without a gyroscopic one G = 0.
-Model read_matrices(const std::filesystem::path& mass, const std::optional<std::filesystem::path>& gyroscopic, const std::filesystem::path& stiffness);
+Model read_matrices(const std::filesystem::path& mass, const std::optional<std::filesystem::path>& gyroscopic,
+                    const std::filesystem::path& stiffness);
 
 }  // namespace gyromode

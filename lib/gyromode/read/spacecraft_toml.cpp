@@ -12,7 +12,8 @@ namespace gyromode::io {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> spacecraft_keys{"kind", "title", "reference", "known", "spin", "body", "cable", "beam", "spring_mass"};
+constexpr std::array<std::string_view, 9> spacecraft_keys{"kind", "title", "reference", "known",      "spin",
+                                                          "body", "cable", "beam",      "spring_mass"};
 double required(const TomlTable& t, std::string_view key, Dimension d) {
   const auto value = t.quantity(key, d);
   if (!value) t.fail(fmt::format("key '{}' is missing: {} was expected", key, form_of(d)));
@@ -30,17 +31,21 @@ double height_on_axis_3(const TomlTable& t, std::string_view key, Dimension dime
   const std::vector<double> at = t.quantities(key, dimension, 3);
   if (at.empty()) t.fail(fmt::format("key '{}' is missing: three values were expected, each {}", key, form_of(dimension)));
   if (at[0] != 0 || at[1] != 0) {
-    t.break_law(key, fmt::format("'{}' of a beam must be on axis 3, [0, 0, z]: it is [{:.6g}, {:.6g}, {:.6g}]; off the axis the centrifugal force bends a boom while it spins steadily", key, at[0],
-                                 at[1], at[2]));
+    t.break_law(key, fmt::format("'{}' of a beam must be on axis 3, [0, 0, z]: it is [{:.6g}, {:.6g}, {:.6g}]; off the axis the "
+                                 "centrifugal force bends a boom while it spins steadily",
+                                 key, at[0], at[1], at[2]));
   }
   return at[2];
 }
 
 bool upward(const TomlTable& t) {
   const std::vector<double> way = t.numbers("direction");
-  if (way.size() != 3) t.fail(way.empty() ? "key 'direction' is missing: [0, 0, 1] or [0, 0, -1] was expected" : "'direction' needs three numbers: [0, 0, 1] or [0, 0, -1]");
+  if (way.size() != 3)
+    t.fail(way.empty() ? "key 'direction' is missing: [0, 0, 1] or [0, 0, -1] was expected"
+                       : "'direction' needs three numbers: [0, 0, 1] or [0, 0, -1]");
   if (way[0] != 0 || way[1] != 0 || std::abs(way[2]) != 1) {
-    t.break_law("direction", fmt::format("'direction' of a beam must be [0, 0, 1] or [0, 0, -1]: it is [{:.6g}, {:.6g}, {:.6g}]; in any other direction the spin loads the boom along itself, "
+    t.break_law("direction", fmt::format("'direction' of a beam must be [0, 0, 1] or [0, 0, -1]: it is [{:.6g}, {:.6g}, {:.6g}]; in any "
+                                         "other direction the spin loads the boom along itself, "
                                          "which the exact field of this version does not have",
                                          way[0], way[1], way[2]));
   }
@@ -49,7 +54,9 @@ bool upward(const TomlTable& t) {
 
 void read_several(const TomlTable& t, const NumberKey& k, std::span<double> to) {
   const std::vector<double> values = t.quantities(k.key, k.dimension, to.size(), k.form == NumberKey::Form::several_or_infinite);
-  if (values.empty()) t.fail(fmt::format("key '{}' is missing: {} values were expected, each {}", k.key, to.size() == 2 ? "two" : "three", form_of(k.dimension)));
+  if (values.empty())
+    t.fail(fmt::format("key '{}' is missing: {} values were expected, each {}", k.key, to.size() == 2 ? "two" : "three",
+                       form_of(k.dimension)));
   std::copy(values.begin(), values.end(), to.begin());
 }
 
@@ -99,7 +106,9 @@ Spacecraft read_spacecraft(const TomlTable& table) {
   for (const TomlTable& t : table.tables("spring_mass")) masses.push_back(checked(t, read_part<SpringMass>(t)));
   if (!(spin > 0)) {
     table.break_law("spin", fmt::format("'spin' must be above 0: it is {:.6g} rad/s{}", spin,
-                                        spin < 0 ? " (for the other sense of rotation turn axis 3 around)" : cables.empty() ? "" : ", and without it no cable is taut"));
+                                        spin < 0         ? " (for the other sense of rotation turn axis 3 around)"
+                                        : cables.empty() ? ""
+                                                         : ", and without it no cable is taut"));
   }
   return Spacecraft(spin, checked(*body, read_part<Body>(*body)), std::move(cables), std::move(beams), std::move(masses));
 }

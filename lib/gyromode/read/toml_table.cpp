@@ -54,12 +54,16 @@ Matrix inline_rows(const std::filesystem::path& file, const toml::array& rows, s
   Matrix a(static_cast<Index>(rows.size()), static_cast<Index>(first->size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto* row = rows.get(i)->as_array();
-    if (!row) fail_at(file, *rows.get(i), fmt::format("row {} of '{}' is {}: an array of numbers was expected", i + 1, key, type_word(*rows.get(i))));
+    if (!row)
+      fail_at(file, *rows.get(i),
+              fmt::format("row {} of '{}' is {}: an array of numbers was expected", i + 1, key, type_word(*rows.get(i))));
     if (row->size() != first->size()) {
-      fail_at(file, *row, fmt::format("row {} of '{}' has {} numbers: {} were expected, as in row 1", i + 1, key, row->size(), first->size()));
+      fail_at(file, *row,
+              fmt::format("row {} of '{}' has {} numbers: {} were expected, as in row 1", i + 1, key, row->size(), first->size()));
     }
     for (std::size_t j = 0; j < row->size(); ++j) {
-      a(static_cast<Index>(i), static_cast<Index>(j)) = finite_number(file, *row->get(j), fmt::format("entry ({},{}) of '{}'", i + 1, j + 1, key));
+      a(static_cast<Index>(i), static_cast<Index>(j)) =
+          finite_number(file, *row->get(j), fmt::format("entry ({},{}) of '{}'", i + 1, j + 1, key));
     }
   }
   return a;
@@ -148,7 +152,8 @@ std::vector<double> TomlTable::quantities(std::string_view key, Dimension dimens
   const toml::array* items = node->as_array();
   if (!items) fail(key, fmt::format("'{}' is {}: {} values were expected, [ … ]", key, type_word(*node), count));
   if (items->size() != count) fail(key, fmt::format("'{}' has {} values: {} were expected", key, items->size(), count));
-  for (std::size_t i = 0; i < count; ++i) all.push_back(quantity_of(content_->file, *items->get(i), fmt::format("value {} of '{}'", i + 1, key), dimension, infinite));
+  for (std::size_t i = 0; i < count; ++i)
+    all.push_back(quantity_of(content_->file, *items->get(i), fmt::format("value {} of '{}'", i + 1, key), dimension, infinite));
   return all;
 }
 
@@ -174,7 +179,8 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   const toml::array* items = node->as_array();
   if (!items) fail(key, fmt::format("'{}' is {}: tables [[{}]] were expected", key, type_word(*node), key));
   for (const toml::node& item : *items) {
-    if (!item.is_table()) fail_at(content_->file, item, fmt::format("an item of '{}' is {}: a table [[{}]] was expected", key, type_word(item), key));
+    if (!item.is_table())
+      fail_at(content_->file, item, fmt::format("an item of '{}' is {}: a table [[{}]] was expected", key, type_word(item), key));
     all.push_back(TomlTable(std::make_shared<const Content>(Content{content_->document, *item.as_table(), content_->file})));
   }
   return all;
@@ -195,14 +201,17 @@ std::optional<Matrix> TomlTable::matrix(std::string_view key, Digest& digest) co
   const std::filesystem::path file = content_->file.parent_path() / *node->value<std::string>();
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
-    fail(key, fmt::format("'{}' names '{}', which does not exist: a Matrix Market file was expected", key, shown(*node->value<std::string>())));
+    fail(key,
+         fmt::format("'{}' names '{}', which does not exist: a Matrix Market file was expected", key, shown(*node->value<std::string>())));
   }
   const std::string text = read_text(file, "Matrix Market");
   digest.add(text);
   return parse_matrix_market(text, file, most_coordinates);
 }
 
-void TomlTable::fail(std::string_view key, const std::string& message) const { fail_at(content_->file, *content_->table.get(key), message); }
+void TomlTable::fail(std::string_view key, const std::string& message) const {
+  fail_at(content_->file, *content_->table.get(key), message);
+}
 void TomlTable::break_law(std::string_view key, const std::string& law) const {
   const toml::node* node = content_->table.get(key);
   const auto& at = (node ? node->source() : content_->table.source()).begin;

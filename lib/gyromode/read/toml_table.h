@@ -16,8 +16,8 @@
 
 namespace gyromode::io {
 
-/// A table of a TOML file (toml++) that knows where every value stands: each getter returns nothing for a missing key and throws Unreadable with
-/// line, column, value and expectation for one of the wrong type or unit.
+/// A table of a TOML file (toml++) that knows where every value stands: each getter returns nothing for a missing key
+/// and throws Unreadable with line, column, value and expectation for one of the wrong type or unit.
 class TomlTable {
  public:
   /// Parses the text; `file` is named in messages, and file names in the text are relative to its folder.
@@ -27,9 +27,9 @@ class TomlTable {
   void allow_only(std::span<const std::string_view> keys) const;
 
   std::optional<std::string> text(std::string_view key) const;
-  std::vector<std::string> texts(std::string_view key) const;  ///< empty for a missing key
-  std::vector<double> numbers(std::string_view key) const;     ///< finite; empty for a missing key
-  std::optional<double> frequency(std::string_view key) const; ///< rad/s; a number or a string with a unit
+  std::vector<std::string> texts(std::string_view key) const;   ///< empty for a missing key
+  std::vector<double> numbers(std::string_view key) const;      ///< finite; empty for a missing key
+  std::optional<double> frequency(std::string_view key) const;  ///< rad/s; a number or a string with a unit
   /// A number in SI or a string with a unit of the dimension; finite.
   std::optional<double> quantity(std::string_view key, Dimension dimension) const;
   /// `count` of them in an array; `infinite`: inf is allowed. Empty for a missing key.

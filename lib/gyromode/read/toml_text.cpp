@@ -12,8 +12,8 @@ namespace gyromode::io {
 
 namespace {
 
-// Follows a TOML text as far as nesting goes: strings and comments are passed over, dots of keys and brackets are counted. Where the text is not TOML the parser stops, and what this finds beyond
-// is of no consequence.
+// Follows a TOML text as far as nesting goes: strings and comments are passed over, dots of keys and brackets are
+// counted. Where the text is not TOML the parser stops, and what this finds beyond is of no consequence.
 class Nesting {
  public:
   Nesting(std::string_view text, const std::filesystem::path& file) : text_(text), file_(file) {}
@@ -23,8 +23,11 @@ class Nesting {
       step();
       if (header_ + open_ + before_equals_ + parts_ > deepest_toml) {
         const auto line_start = text_.rfind('\n', at_ - 1);
-        const std::size_t line = static_cast<std::size_t>(std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_ - 1), '\n')) + 1;
-        throw Unreadable(file_, line, line_start == std::string_view::npos ? at_ : at_ - 1 - line_start, fmt::format("keys, tables and arrays are nested here beyond {} levels: a flatter model was expected", deepest_toml));
+        const std::size_t line =
+            static_cast<std::size_t>(std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_ - 1), '\n')) + 1;
+        throw Unreadable(
+            file_, line, line_start == std::string_view::npos ? at_ : at_ - 1 - line_start,
+            fmt::format("keys, tables and arrays are nested here beyond {} levels: a flatter model was expected", deepest_toml));
       }
     }
   }
@@ -109,11 +112,11 @@ class Nesting {
   std::size_t at_ = 0;
   bool line_start_ = true;
   bool in_header_ = false;
-  std::size_t header_ = 0;         // levels of the table that the last header opened
+  std::size_t header_ = 0;           // levels of the table that the last header opened
   std::vector<std::size_t> levels_;  // of each open bracket, the parts of its key included
-  std::size_t open_ = 0;           // their sum
-  std::size_t before_equals_ = 0;  // parts of the key before the last '='
-  std::size_t parts_ = 0;          // dots since
+  std::size_t open_ = 0;             // their sum
+  std::size_t before_equals_ = 0;    // parts of the key before the last '='
+  std::size_t parts_ = 0;            // dots since
 };
 
 }  // namespace

@@ -34,7 +34,9 @@ void move(UnstableRoots& roots, const CharacteristicProducts& p) {
       if (real) change = change.real();
       const Complex next = lambda + change;
       // Near a defective root X turns with λ, and a step that X does not follow makes the pair worse.
-      if (!(std::abs(change) <= 1e-3 * std::abs(lambda)) || !(next.real() > 0) || (!real && !(next.imag() > 0)) || !(residual(next) < residual(lambda))) break;
+      if (!(std::abs(change) <= 1e-3 * std::abs(lambda)) || !(next.real() > 0) || (!real && !(next.imag() > 0)) ||
+          !(residual(next) < residual(lambda)))
+        break;
       lambda = next;
     }
   }

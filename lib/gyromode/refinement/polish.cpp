@@ -60,11 +60,13 @@ void correct_at_once(const dense::Impedance& h, Spectrum& s, Assessment& a, doub
 
 void polish(const dense::Impedance& h, Spectrum& s, Assessment& a, Index most) {
   const double n = static_cast<double>(s.size());
-  const bool small = s.size() <= 64;  // beyond, what a certificate asks for is enough, and only so many factorisations as a second or two allow
+  // beyond, what a certificate asks for is enough, and only so many factorisations as a second or two allow
+  const bool small = s.size() <= 64;
   const double enough = (small ? 1 : 6) * backward_error(s.size());
   if (!small && h.second_order()) correct_at_once(h, s, a, enough);
   if (!small) most = std::min(most, static_cast<Index>(std::max(4.0, 4e6 / (n * n))));
-  constexpr int rounds = 3;  // a refined neighbour shrinks its interval, and a group may fall apart into roots that can be told from each other
+  // a refined neighbour shrinks its interval, and a group may fall apart into roots that can be told from each other
+  constexpr int rounds = 3;
   for (int round = 0; round < rounds; ++round) {
     bool changed = false;
     for (const auto& group : poor_groups(s, a, enough)) {

@@ -14,7 +14,8 @@ namespace gyromode {
 
 namespace {
 
-// Appends two modes at Im λ with the shape of the flutter root, phased so that the larger of its parts is as real as it can be.
+// Appends two modes at Im λ with the shape of the flutter root, phased so that the larger of its parts is as real as it
+// can be.
 void return_to_axis(Spectrum& s, Index k) {
   const double omega = s.unstable.lambda[static_cast<std::size_t>(k)].imag();
   ComplexVector x = s.unstable.right.col(k);
@@ -41,7 +42,8 @@ std::vector<Complex> all_roots(const Spectrum& s) {
   return roots;
 }
 
-// How far a root may move and still be itself: a third of the way to any other root or mirror image of one, and a tenth of its size.
+// How far a root may move and still be itself: a third of the way to any other root or mirror image of one, and a tenth
+// of its size.
 double room_around(Complex lambda, const std::vector<Complex>& roots, std::size_t self) {
   double room = 0.1 * std::abs(lambda);
   for (std::size_t k = 0; k < roots.size(); ++k) {
@@ -54,17 +56,20 @@ double room_around(Complex lambda, const std::vector<Complex>& roots, std::size_
   return room;
 }
 
-// Roots with a residual above rounding, or a bound that is no small part of the growth rate, are refined by themselves, each by some factorisations of order n: in a large system as many as a few
-// seconds allow, the weakest first.
+// Roots with a residual above rounding, or a bound that is no small part of the growth rate, are refined by themselves,
+// each by some factorisations of order n: in a large system as many as a few seconds allow, the weakest first.
 bool refine_poor_roots(const dense::Impedance& h, Spectrum& s, const Assessment& a) {
   constexpr double small_part = 1e-3;
   const double enough = (s.size() <= 64 ? 1 : 6) * backward_error(s.size());
   std::vector<Index> poor;
   for (Index k = 0; k < s.unstable.count(); ++k) {
-    const bool good = a.unstable.own_residual(k) <= enough && a.unstable.error_bound(k) <= small_part * s.unstable.lambda[static_cast<std::size_t>(k)].real();
+    const bool good = a.unstable.own_residual(k) <= enough &&
+                      a.unstable.error_bound(k) <= small_part * s.unstable.lambda[static_cast<std::size_t>(k)].real();
     if (!good) poor.push_back(k);
   }
-  std::sort(poor.begin(), poor.end(), [&](Index i, Index k) { return s.unstable.lambda[static_cast<std::size_t>(i)].real() < s.unstable.lambda[static_cast<std::size_t>(k)].real(); });
+  std::sort(poor.begin(), poor.end(), [&](Index i, Index k) {
+    return s.unstable.lambda[static_cast<std::size_t>(i)].real() < s.unstable.lambda[static_cast<std::size_t>(k)].real();
+  });
   const double n = static_cast<double>(s.size());
   const std::size_t affordable = static_cast<std::size_t>(std::max(4.0, 4e6 / (n * n)));
   if (poor.size() > affordable) poor.resize(affordable);
@@ -92,7 +97,8 @@ std::pair<ComplexVector, ComplexVector> real_parts(const ComplexVector& x) {
   return {first, second.norm() > independent * first.norm() ? second : first};
 }
 
-// Flutter so slow that its disc, or a backward error, meets the real axis is two real pairs to rounding: the real and the imaginary part of its vectors are theirs. It grows as well as they do, and counts as much.
+// Flutter so slow that its disc, or a backward error, meets the real axis is two real pairs to rounding: the real and
+// the imaginary part of its vectors are theirs. It grows as well as they do, and counts as much.
 bool part_double_divergence(Spectrum& s, const Assessment& a) {
   UnstableRoots parted;
   for (Index k = 0; k < s.unstable.count(); ++k) {

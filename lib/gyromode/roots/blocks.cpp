@@ -33,7 +33,9 @@ std::vector<Block> blocks_of(const Couplings& couplings) {
   for (const Component& c : partition(couplings.graph())) {
     const Index first = couplings.first_of_equals(c.coordinates[0]);
     if (first != c.coordinates[0]) {
-      std::find_if(blocks.begin(), blocks.end(), [&](const Block& b) { return b.coordinates[0] == first; })->equal_blocks.push_back(c.coordinates[0]);
+      std::find_if(blocks.begin(), blocks.end(), [&](const Block& b) {
+        return b.coordinates[0] == first;
+      })->equal_blocks.push_back(c.coordinates[0]);
       continue;
     }
     Block b;

@@ -6,13 +6,16 @@
 
 namespace gyromode {
 
-/// Coordinates of a Lifted impedance that are coupled to each other and to no other, at any frequency, by the Couplings that its parts state. Where they part into two groups of which entries within are real and between
-/// imaginary (Boland & Janssens 1979, Eq. 8), T = diag(1, −j) makes the block real symmetric.
+/// Coordinates of a Lifted impedance that are coupled to each other and to no other, at any frequency, by the Couplings
+/// that its parts state. Where they part into two groups of which entries within are real and between imaginary (Boland
+/// & Janssens 1979, Eq. 8), T = diag(1, −j) makes the block real symmetric.
 struct Block {
   std::vector<Index> coordinates;
   std::vector<bool> in_quadrature;  ///< a coordinate; all false without a partition
   bool real = true;
-  std::vector<Index> equal_blocks;         ///< coordinates of equal blocks of one coordinate that this stands for as well: patterns of equal parts that leave the rest at peace
+  /// coordinates of equal blocks of one coordinate that this stands for as well: patterns of equal parts that leave the
+  /// rest at peace
+  std::vector<Index> equal_blocks;
 
   Index copies() const { return 1 + static_cast<Index>(equal_blocks.size()); }
   Index size() const { return static_cast<Index>(coordinates.size()); }
@@ -24,10 +27,10 @@ inline std::vector<Block> blocks_of(const LiftedImpedance& impedance) { return b
 /// A block at one frequency: its eigenvalues, ascending, and n₋ of what it stands for.
 struct BlockState {
   Vector eigenvalues;
-  Index poles_below = 0; ///< Σ poles_below of its coordinates
-  Index count = 0;       ///< J(ω) = n₋(matrix) + Σ poles_below, of one copy
-  double nearest = 0;    ///< eigenvalue of least modulus
-  double size = 1;       ///< of the entries: the largest modulus of an eigenvalue, at least 1
+  Index poles_below = 0;  ///< Σ poles_below of its coordinates
+  Index count = 0;        ///< J(ω) = n₋(matrix) + Σ poles_below, of one copy
+  double nearest = 0;     ///< eigenvalue of least modulus
+  double size = 1;        ///< of the entries: the largest modulus of an eigenvalue, at least 1
 };
 BlockState state_of(const Block& block, const Lifted& lifted);
 

@@ -8,7 +8,8 @@
 
 namespace gyromode {
 
-CertifiedRoots::CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic, Index zeros, const SeedSource& seeds)
+CertifiedRoots::CertifiedRoots(const LiftedImpedance& impedance, const std::vector<Index>& free, const std::vector<Index>& cyclic,
+                               Index zeros, const SeedSource& seeds)
     : blocked_(impedance), static_(static_count(blocked_, free, cyclic, zeros)) {
   if (!indefinite()) return;
   for (Index b = 0; b < static_cast<Index>(blocked_.blocks.size()); ++b) {
@@ -75,7 +76,8 @@ void CertifiedRoots::find_growing(const std::vector<Complex>& seeds) {
       const auto root = unstable_root(blocked_, static_cast<Index>(b), seed);
       if (!root) continue;
       const auto same = [&](const UnstableRoot& g) {
-        return g.block == root->block && std::abs(Complex(g.growth - root->growth, g.omega - root->omega)) <= 1e-7 * std::abs(Complex(g.growth, g.omega));
+        return g.block == root->block &&
+               std::abs(Complex(g.growth - root->growth, g.omega - root->omega)) <= 1e-7 * std::abs(Complex(g.growth, g.omega));
       };
       if (std::none_of(growing_.begin(), growing_.end(), same)) growing_.push_back(*root);
     }
@@ -103,7 +105,8 @@ RootsBetween CertifiedRoots::between(double a, double b, const Progress& progres
     progress.report("modes", static_cast<Index>(roots.size()), all);
     return true;
   });
-  // Brackets come by their lower ends, and one of another block may reach beyond: what is above the place of stopping is not all.
+  // Brackets come by their lower ends, and one of another block may reach beyond: what is above the place of stopping
+  // is not all.
   if (!done) std::erase_if(roots, [&](const Root& r) { return r.omega >= found.known_below; });
   std::stable_sort(roots.begin(), roots.end(), [](const Root& x, const Root& y) { return x.omega < y.omega; });
   return found;

@@ -18,8 +18,10 @@ class Crossing {
     const BlockState s = state_of(h_.blocks[static_cast<std::size_t>(bracket_.block)], lifted);
     const double value = crossing(s, bracket_.count, bracket_.change);
     if (std::abs(s.nearest) > 8 * h_.impedance.rounding(omega) * s.size) {
-      if (value > 0) lo_ = std::max(lo_, omega);
-      else hi_ = std::min(hi_, omega);
+      if (value > 0)
+        lo_ = std::max(lo_, omega);
+      else
+        hi_ = std::min(hi_, omega);
     }
     return value;
   }
@@ -32,8 +34,9 @@ class Crossing {
   double lo_, hi_;
 };
 
-// Chandrupatla's hybrid method (Adv. Eng. Software 28 (1997) 145): inverse quadratic interpolation where its condition says that the function is tame enough, else bisection. Ends
-// where the next step would be below what the last one can leave, and takes that step.
+// Chandrupatla's hybrid method (Adv. Eng. Software 28 (1997) 145): inverse quadratic interpolation where its condition
+// says that the function is tame enough, else bisection. Ends where the next step would be below what the last one can
+// leave, and takes that step.
 double zero_of(Crossing& f, double a, double fa, double b, double fb) {
   constexpr double last_step = 1e-12;  // relative; convergence is faster than linear there
   constexpr double unit = 1.2e-16;
@@ -85,7 +88,8 @@ std::vector<Root> converge(const BlockedImpedance& h, const Bracket& bracket) {
   Root root;
   root.block = bracket.block;
   Crossing crossing(h, bracket);
-  root.omega = bracket.roots == 1 ? zero_of(crossing, bracket.lo, bracket.value_lo, bracket.hi, bracket.value_hi) : 0.5 * (bracket.lo + bracket.hi);
+  root.omega =
+      bracket.roots == 1 ? zero_of(crossing, bracket.lo, bracket.value_lo, bracket.hi, bracket.value_hi) : 0.5 * (bracket.lo + bracket.hi);
   const Lifted at = h.impedance.at(root.omega);
   const double step = std::clamp(1e-6 * (bracket.hi - bracket.lo), 1e-10 * root.omega, 1e-6 * root.omega);
   const Lifted beyond = h.impedance.at(root.omega + step);
@@ -102,7 +106,8 @@ std::vector<Root> converge(const BlockedImpedance& h, const Bracket& bracket) {
     root.value = pair.value;
     root.slope = slope_between(at.matrix, beyond.matrix, pair.vector, step);
     // The direction of a pole has no sign of its own, and may turn over between the two: not at both sides.
-    if (root.slope * root.energy_sign > 0) root.slope = slope_between(at.matrix, h.impedance.at(root.omega - step).matrix, pair.vector, -step);
+    if (root.slope * root.energy_sign > 0)
+      root.slope = slope_between(at.matrix, h.impedance.at(root.omega - step).matrix, pair.vector, -step);
     root.error = (std::abs(pair.value) + h.impedance.rounding(root.omega) * state.size) / std::abs(root.slope);
     root.vector = std::move(pair.vector);
     found.push_back(root);

@@ -6,8 +6,9 @@
 
 namespace gyromode {
 
-/// Which coordinates of an impedance meet, and how, as its parts state it from their geometry: a statement on every frequency at once, which no number of samples could make. What is not
-/// stated is exactly zero, as computed, at any frequency; what is stated may be anything.
+/// Which coordinates of an impedance meet, and how, as its parts state it from their geometry: a statement on every
+/// frequency at once, which no number of samples could make. What is not stated is exactly zero, as computed, at any
+/// frequency; what is stated may be anything.
 class Couplings {
  public:
   explicit Couplings(Index size);

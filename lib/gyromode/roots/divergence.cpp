@@ -59,7 +59,8 @@ double bisected(const SignOfDeterminant& sign, double lo, double hi, bool positi
 }  // namespace
 
 std::vector<UnstableRoot> divergences(const BlockedImpedance& h, Index block) {
-  constexpr double slowest = 1e-9, fastest = 50;  // σ: below the first K is singular to rounding, above the second nothing the spin feeds can grow
+  // σ: below the first K is singular to rounding, above the second nothing the spin feeds can grow
+  constexpr double slowest = 1e-9, fastest = 50;
   constexpr double ratio = 1.3;
   const Block& b = h.blocks[static_cast<std::size_t>(block)];
   SignOfDeterminant sign(h, b);
@@ -72,7 +73,8 @@ std::vector<UnstableRoot> divergences(const BlockedImpedance& h, Index block) {
     if (sign_before != 0 && here != sign_before) {
       const double root = bisected(sign, before, sigma, sign_before > 0);
       constexpr double singular = 1e5;  // a root, not a pole
-      if (relative_singularity(equilibrated_block(h, b, Complex(0, -root))) <= singular * h.impedance.rounding(root)) found.push_back({block, root, 0, b.copies(), 0, 0});
+      if (relative_singularity(equilibrated_block(h, b, Complex(0, -root))) <= singular * h.impedance.rounding(root))
+        found.push_back({block, root, 0, b.copies(), 0, 0});
     }
     before = sigma;
     sign_before = here;

@@ -35,7 +35,8 @@ bool beyond_doubt(const BlockedImpedance& h, const State& s) {
   return std::none_of(s.block.begin(), s.block.end(), [&](const BlockState& b) { return std::abs(b.nearest) <= limit * b.size; });
 }
 
-// Near the middle of an interval, beside a root that stands there: on it a count may be one off, and by the growing count of one of negative energy roots would change sides.
+// Near the middle of an interval, beside a root that stands there: on it a count may be one off, and by the growing
+// count of one of negative energy roots would change sides.
 State inside(const BlockedImpedance& h, const Interval& i, const MonotoneCount& growing) {
   State s = state_at(h, 0.5 * (i.a.omega + i.b.omega), growing);
   const double width = i.b.omega - i.a.omega;
@@ -50,9 +51,12 @@ State inside(const BlockedImpedance& h, const Interval& i, const MonotoneCount& 
 
 }  // namespace
 
-Index crossing_position(const BlockState& state, Index count_lo, Index change) { return count_lo - state.poles_below - (change < 0 ? 1 : 0); }
+Index crossing_position(const BlockState& state, Index count_lo, Index change) {
+  return count_lo - state.poles_below - (change < 0 ? 1 : 0);
+}
 
-// Where the lifted coordinate of a pole has the other sign, the eigenvalue is not among those of the matrix: it is beyond the last of them.
+// Where the lifted coordinate of a pole has the other sign, the eigenvalue is not among those of the matrix: it is
+// beyond the last of them.
 double crossing(const BlockState& state, Index count_lo, Index change) {
   const Index n = state.eigenvalues.size();
   const Index at = crossing_position(state, count_lo, change);
@@ -60,7 +64,8 @@ double crossing(const BlockState& state, Index count_lo, Index change) {
   return change < 0 ? -value : value;
 }
 
-bool isolate(const BlockedImpedance& h, double a, double b, const MonotoneCount& growing, const std::function<bool(const Bracket&)>& found) {
+bool isolate(const BlockedImpedance& h, double a, double b, const MonotoneCount& growing,
+             const std::function<bool(const Bracket&)>& found) {
   std::vector<Interval> open{{state_at(h, a, growing), state_at(h, b, growing)}};
   while (!open.empty()) {
     const Interval i = std::move(open.back());
@@ -86,7 +91,14 @@ bool isolate(const BlockedImpedance& h, double a, double b, const MonotoneCount&
       const Index roots = i.b.count[k] - i.a.count[k];
       if (roots <= 0) continue;
       const Index change = i.b.plain[k] - i.a.plain[k];
-      const Bracket bracket{static_cast<Index>(k), i.a.omega, i.b.omega, roots, i.a.plain[k], change, crossing(i.a.block[k], i.a.plain[k], change), crossing(i.b.block[k], i.a.plain[k], change)};
+      const Bracket bracket{static_cast<Index>(k),
+                            i.a.omega,
+                            i.b.omega,
+                            roots,
+                            i.a.plain[k],
+                            change,
+                            crossing(i.a.block[k], i.a.plain[k], change),
+                            crossing(i.b.block[k], i.a.plain[k], change)};
       if (!found(bracket)) return false;
     }
   }

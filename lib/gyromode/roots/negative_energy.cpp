@@ -35,21 +35,26 @@ class Sampled {
     return samples;
   }
 
-  // Two roots of opposite signs close to each other leave no trace in counts beside them, but the eigenvalue that nearly vanishes has an extremum there: of three samples over which the count stays, with the middle one nearest
-  // to zero, a point between the roots, by parabolas. Nothing where the extremum does not pass zero.
+  // Two roots of opposite signs close to each other leave no trace in counts beside them, but the eigenvalue that
+  // nearly vanishes has an extremum there: of three samples over which the count stays, with the middle one nearest to
+  // zero, a point between the roots, by parabolas. Nothing where the extremum does not pass zero.
   std::optional<Sample> beyond_extremum(Sample lo, Sample middle, Sample hi) const {
     constexpr int most_steps = 30;
     if (!touches(lo, middle, hi)) return std::nullopt;
     for (int step = 0; step < most_steps; ++step) {
       const double left = middle.omega - lo.omega, right = hi.omega - middle.omega;
-      const double rise_left = (lo.state.nearest - middle.state.nearest) / left, rise_right = (hi.state.nearest - middle.state.nearest) / right;
-      const double vertex = middle.omega + 0.5 * (rise_left * right * right - rise_right * left * left) / (rise_left * right + rise_right * left);
+      const double rise_left = (lo.state.nearest - middle.state.nearest) / left,
+                   rise_right = (hi.state.nearest - middle.state.nearest) / right;
+      const double vertex =
+          middle.omega + 0.5 * (rise_left * right * right - rise_right * left * left) / (rise_left * right + rise_right * left);
       // Where the parabola stays where it is, the longer side is cut.
       const double closest = 1e-3 * (hi.omega - lo.omega);
-      const double omega = std::abs(vertex - middle.omega) > closest && vertex > lo.omega && vertex < hi.omega ? vertex : middle.omega + (right > left ? 0.1 * right : -0.1 * left);
+      const double omega = std::abs(vertex - middle.omega) > closest && vertex > lo.omega && vertex < hi.omega
+                               ? vertex
+                               : middle.omega + (right > left ? 0.1 * right : -0.1 * left);
       Sample next = at(omega);
       if (next.state.count != middle.state.count) return certain(next) ? std::optional(std::move(next)) : std::nullopt;
-      const bool nearer = std::abs(next.state.nearest) < std::abs(middle.state.nearest), above = next.omega > middle.omega;
+      const bool nearer = std::abs(next.state.nearest)<std::abs(middle.state.nearest), above = next.omega> middle.omega;
       const double gained = std::abs(middle.state.nearest) - std::abs(next.state.nearest);
       const bool settled = nearer && gained < 1e-3 * std::abs(next.state.nearest);
       if (settled || !certain(next)) return std::nullopt;
@@ -66,7 +71,8 @@ class Sampled {
  private:
   static bool touches(const Sample& lo, const Sample& middle, const Sample& hi) {
     const double m = middle.state.nearest;
-    return lo.state.count == middle.state.count && hi.state.count == middle.state.count && lo.state.nearest * m > 0 && hi.state.nearest * m > 0 && std::abs(m) < std::abs(lo.state.nearest) && std::abs(m) < std::abs(hi.state.nearest);
+    return lo.state.count == middle.state.count && hi.state.count == middle.state.count && lo.state.nearest * m > 0 &&
+           hi.state.nearest * m > 0 && std::abs(m) < std::abs(lo.state.nearest) && std::abs(m) < std::abs(hi.state.nearest);
   }
 
   const BlockedImpedance& h_;
@@ -116,7 +122,8 @@ std::vector<Root> falls(const BlockedImpedance& h, Index block, const std::vecto
       if (fall <= 0) continue;
       if (fall == 1) {
         const Index count = lo.state.count;
-        found.push_back(converge(h, {block, lo.omega, hi.omega, 1, count, -1, crossing(lo.state, count, -1), crossing(hi.state, count, -1)}).front());
+        found.push_back(
+            converge(h, {block, lo.omega, hi.omega, 1, count, -1, crossing(lo.state, count, -1), crossing(hi.state, count, -1)}).front());
       } else if (hi.omega - lo.omega > narrowest * hi.omega) {
         const Sample middle = sampled.at(0.5 * (lo.omega + hi.omega));
         if (!sampled.certain(middle)) continue;

@@ -24,9 +24,10 @@ Complex bordered(const ComplexMatrix& a, const ComplexVector& u, const ComplexVe
   return small::solve_fully_pivoted(m, right)(n);
 }
 
-// Whether z is away from both axes by more than rounding may have moved it. Near an axis two roots meet, g ≈ c((z − z₀)² + d²), and the error of z is that of g over |g′| ≈ 2cd: g′ is taken over a
-// step of the distance d.
-bool resolved(const BlockedImpedance& h, const Block& b, const Complex& z, bool divergence, const ComplexVector& u, const ComplexVector& v) {
+// Whether z is away from both axes by more than rounding may have moved it. Near an axis two roots meet, g ≈ c((z −
+// z₀)² + d²), and the error of z is that of g over |g′| ≈ 2cd: g′ is taken over a step of the distance d.
+bool resolved(const BlockedImpedance& h, const Block& b, const Complex& z, bool divergence, const ComplexVector& u,
+              const ComplexVector& v) {
   constexpr double of_distance = 0.1, beyond_doubt = 64;
   const double distance = divergence ? -z.imag() : std::min(-z.imag(), z.real());
   const Complex step = of_distance * distance * (divergence ? Complex(0, 1) : Complex(1));

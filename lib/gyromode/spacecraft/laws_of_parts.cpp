@@ -39,15 +39,19 @@ std::optional<BrokenLaw> law_of_inertia(const Eigen::Matrix3d& j) {
   for (Index i = 0; i < 3; ++i) {
     for (Index k = 0; k < i; ++k) {
       if (std::abs(j(i, k) - j(k, i)) > rounding * size) {
-        return BrokenLaw{"inertia", fmt::format("'inertia' must be symmetric: entries ({},{}) = {:.6g} and ({},{}) = {:.6g} differ", k + 1, i + 1, j(k, i), i + 1, k + 1, j(i, k))};
+        return BrokenLaw{"inertia", fmt::format("'inertia' must be symmetric: entries ({},{}) = {:.6g} and ({},{}) = {:.6g} differ", k + 1,
+                                                i + 1, j(k, i), i + 1, k + 1, j(i, k))};
       }
     }
   }
   const Eigen::Vector3d principal = small::symmetric_eigenvalues(j);
-  if (!(principal(0) > 0)) return BrokenLaw{"inertia", fmt::format("'inertia' must be positive definite: its smallest principal moment is {:.6g} kg m²", principal(0))};
+  if (!(principal(0) > 0))
+    return BrokenLaw{"inertia",
+                     fmt::format("'inertia' must be positive definite: its smallest principal moment is {:.6g} kg m²", principal(0))};
   if (principal(2) > (principal(0) + principal(1)) * (1 + rounding)) {
-    return BrokenLaw{"inertia", fmt::format("'inertia' must obey the triangle inequality, no principal moment above the sum of the others: {:.10g} > {:.10g} + {:.10g} kg m²",
-                                         principal(2), principal(0), principal(1))};
+    return BrokenLaw{"inertia", fmt::format("'inertia' must obey the triangle inequality, no principal moment above the sum of the others: "
+                                            "{:.10g} > {:.10g} + {:.10g} kg m²",
+                                            principal(2), principal(0), principal(1))};
   }
   return std::nullopt;
 }
@@ -57,20 +61,25 @@ std::optional<BrokenLaw> law_of_inertia(const Eigen::Matrix3d& j) {
 std::optional<BrokenLaw> broken_law(const Body& b) { return first_of({positive("mass", "kg", b.mass), law_of_inertia(b.inertia)}); }
 
 std::optional<BrokenLaw> broken_law(const Cable& c) {
-  return first_of({finite("azimuth", c.azimuth), not_negative("radius", "m", c.radius), finite("height", c.height), positive("length", "m", c.length),
-                   positive("line_density", "kg/m", c.line_density), not_negative("tip_mass", "kg", c.tip_mass)});
+  return first_of({finite("azimuth", c.azimuth), not_negative("radius", "m", c.radius), finite("height", c.height),
+                   positive("length", "m", c.length), positive("line_density", "kg/m", c.line_density),
+                   not_negative("tip_mass", "kg", c.tip_mass)});
 }
 
 std::optional<BrokenLaw> broken_law(const Beam& b) {
   return first_of({finite("root", b.root_height), positive("length", "m", b.length), positive("line_density", "kg/m", b.line_density),
-                   positive("bending_stiffness", "N m²", std::min(b.bending_stiffness[0], b.bending_stiffness[1])), not_negative("tip_mass", "kg", b.tip_mass)});
+                   positive("bending_stiffness", "N m²", std::min(b.bending_stiffness[0], b.bending_stiffness[1])),
+                   not_negative("tip_mass", "kg", b.tip_mass)});
 }
 
 std::optional<BrokenLaw> broken_law(const SpringMass& m) {
   if (const auto b = first_of({finite("position", m.position.sum()), positive("mass", "kg", m.mass)})) return b;
   for (Index i = 0; i < 3; ++i) {
     if (!(m.stiffness(i) > 0)) {
-      return BrokenLaw{"stiffness", fmt::format("'stiffness' must be above 0 (inf: rigid), or nothing holds the mass to the body: along axis {} it is {:.6g} N/m", i + 1, m.stiffness(i))};
+      return BrokenLaw{
+          "stiffness",
+          fmt::format("'stiffness' must be above 0 (inf: rigid), or nothing holds the mass to the body: along axis {} it is {:.6g} N/m",
+                      i + 1, m.stiffness(i))};
     }
   }
   return std::nullopt;

@@ -11,20 +11,20 @@ namespace gyromode {
 /// A key of one part of a spacecraft in model files, what it measures, and how it is written there.
 struct NumberKey {
   enum class Form {
-    one,                 ///< a number
-    one_or_zero,         ///< a number, 0 where it is left out
-    on_axis_3,           ///< a place [0, 0, z], of which z is kept
-    several,             ///< an array
-    several_or_infinite, ///< an array whose items may be infinite
-    symmetric            ///< three principal values, or the rows of a symmetric 3 × 3 matrix
+    one,                  ///< a number
+    one_or_zero,          ///< a number, 0 where it is left out
+    on_axis_3,            ///< a place [0, 0, z], of which z is kept
+    several,              ///< an array
+    several_or_infinite,  ///< an array whose items may be infinite
+    symmetric             ///< three principal values, or the rows of a symmetric 3 × 3 matrix
   };
   std::string_view key;
   Dimension dimension;
   Form form = Form::one;
 };
 
-/// Calls see(NumberKey, std::span<double>) for every number of a part, in the order of docs/model-files.md: the one list of keys and dimensions, for readers and for parameters. Of a symmetric
-/// matrix the span has all nine entries.
+/// Calls see(NumberKey, std::span<double>) for every number of a part, in the order of docs/model-files.md: the one
+/// list of keys and dimensions, for readers and for parameters. Of a symmetric matrix the span has all nine entries.
 template <class See>
 void each_number(Body& b, See&& see) {
   see(NumberKey{"mass", Dimension::mass}, std::span(&b.mass, 1));

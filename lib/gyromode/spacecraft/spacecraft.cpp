@@ -20,12 +20,17 @@ void require_laws(const std::vector<Part>& parts, const char* name) {
   }
 }
 
-// Mass properties of a part and the centrifugal loads that follow from them must be numbers: lengths, masses and the spin may each be far from 1, their products may leave the range.
+// Mass properties of a part and the centrifugal loads that follow from them must be numbers: lengths, masses and the
+// spin may each be far from 1, their products may leave the range.
 void require_numbers(const MassProperties& p, double spin, const std::string& name) {
   const double square = spin * spin;
-  if (std::isfinite(p.mass) && (square * p.first).allFinite() && (square * p.second).allFinite() && p.first.allFinite() && p.second.allFinite() && square > 0) return;
-  throw LawBroken(fmt::format("{}: mass {:.6g} kg, or its moments, or their loads at spin {:.6g} rad/s, leave the range of numbers (1e-308 to 1e308): are the units kg, m and rad/s?",
-                                  name, p.mass, spin));
+  if (std::isfinite(p.mass) && (square * p.first).allFinite() && (square * p.second).allFinite() && p.first.allFinite() &&
+      p.second.allFinite() && square > 0)
+    return;
+  throw LawBroken(
+      fmt::format("{}: mass {:.6g} kg, or its moments, or their loads at spin {:.6g} rad/s, leave the range of numbers (1e-308 to 1e308): "
+                  "are the units kg, m and rad/s?",
+                  name, p.mass, spin));
 }
 
 // What condition 1 and 2 are relative to: Σ∫ r dm.
@@ -47,7 +52,9 @@ Spacecraft::Spacecraft(double spin, Body body, std::vector<Cable> cables, std::v
     : spin_(spin), body_(std::move(body)), cables_(std::move(cables)), beams_(std::move(beams)), masses_(std::move(masses)) {
   if (!(spin_ > 0) || !std::isfinite(spin_)) {
     throw LawBroken(fmt::format("spin must be above 0: it is {:.6g} rad/s{}", spin_,
-                                    spin_ < 0 ? " (for the other sense of rotation turn axis 3 around)" : cables_.empty() ? "" : ", and without it no cable is taut"));
+                                spin_ < 0         ? " (for the other sense of rotation turn axis 3 around)"
+                                : cables_.empty() ? ""
+                                                  : ", and without it no cable is taut"));
   }
   if (const auto b = broken_law(body_)) throw LawBroken(fmt::format("body: {}", b->law));
   require_laws(cables_, "cable");
@@ -75,7 +82,8 @@ void Spacecraft::require_equilibrium() const {
   const double across = rigid_.first.head<2>().norm();
   if (across > tolerance * total_first_moment(*this)) {
     throw LawBroken(
-        fmt::format("steady spin about axis 3 must be an equilibrium: the mass centre is off the axis by ({:.6g}, {:.6g}) m, which leaves a centrifugal force of ({:.6g}, {:.6g}) N "
+        fmt::format("steady spin about axis 3 must be an equilibrium: the mass centre is off the axis by ({:.6g}, {:.6g}) m, which leaves "
+                    "a centrifugal force of ({:.6g}, {:.6g}) N "
                     "(balance Σ S (cos α, sin α) + Σ m (x, y) = 0, S = ∫ r dm of each cable)",
                     rigid_.first(0) / rigid_.mass, rigid_.first(1) / rigid_.mass, square * rigid_.first(0), square * rigid_.first(1)));
   }
@@ -83,7 +91,8 @@ void Spacecraft::require_equilibrium() const {
   const double product = std::hypot(j(0, 2), j(1, 2));
   if (product > tolerance * j(2, 2)) {
     throw LawBroken(
-        fmt::format("steady spin about axis 3 must be an equilibrium: the products of inertia of the complete satellite are J13 = {:.6g}, J23 = {:.6g} kg m², which leaves a moment of "
+        fmt::format("steady spin about axis 3 must be an equilibrium: the products of inertia of the complete satellite are J13 = {:.6g}, "
+                    "J23 = {:.6g} kg m², which leaves a moment of "
                     "({:.6g}, {:.6g}) N m (the body's own J13 must be Σ S h cos α + Σ m x z, and J23 likewise with sin α and y)",
                     j(0, 2), j(1, 2), square * j(1, 2), -square * j(0, 2)));
   }

@@ -14,7 +14,8 @@ namespace gyromode {
 
 namespace {
 
-// Places and products of inertia up to this fraction of the whole satellite are rounding of sums that cancel, and exactly zero.
+// Places and products of inertia up to this fraction of the whole satellite are rounding of sums that cancel, and
+// exactly zero.
 constexpr double negligible = 64 * epsilon;
 
 struct Units {
@@ -51,8 +52,10 @@ std::vector<std::vector<Cable>> groups_of(const std::vector<Cable>& cables) {
   std::vector<std::vector<Cable>> groups;
   for (const Cable& c : cables) {
     const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.front().same_field(c); });
-    if (group != groups.end()) group->push_back(c);
-    else groups.push_back({c});
+    if (group != groups.end())
+      group->push_back(c);
+    else
+      groups.push_back({c});
   }
   return groups;
 }
@@ -63,7 +66,8 @@ Index neutral_patterns_of(const std::vector<Cable>& cables) {
     if (c.radius != 0) continue;
     const Eigen::Vector3d e = c.direction();
     felt.conservativeResize(4, felt.cols() + 1);
-    felt.rightCols(1) << -c.first_moment() * e(1), c.first_moment() * e(0), -c.first_moment() * c.height * e(1), c.first_moment() * c.height * e(0);
+    felt.rightCols(1) << -c.first_moment() * e(1), c.first_moment() * e(0), -c.first_moment() * c.height * e(1),
+        c.first_moment() * c.height * e(0);
   }
   if (felt.cols() == 0) return 0;
   for (Index i = 0; i < 4; ++i) felt.row(i).normalize();
@@ -72,7 +76,8 @@ Index neutral_patterns_of(const std::vector<Cable>& cables) {
 
 }  // namespace
 
-SpacecraftImpedance::SpacecraftImpedance(const Spacecraft& s) : spin_(s.spin()), mass_(s.rigid().mass), continuous_(!s.cables().empty() || !s.beams().empty()) {
+SpacecraftImpedance::SpacecraftImpedance(const Spacecraft& s)
+    : spin_(s.spin()), mass_(s.rigid().mass), continuous_(!s.cables().empty() || !s.beams().empty()) {
   const Eigen::Matrix3d j = s.rigid().inertia();
   length_ = std::sqrt(j(2, 2) / mass_);
   inertia_ = j / j(2, 2);
@@ -99,7 +104,9 @@ void SpacecraftImpedance::take(std::unique_ptr<Appendage> appendage) {
   size_ += own;
 }
 
-double SpacecraftImpedance::tilt_scale(double omega) const { return 1 / std::sqrt((1 + omega * omega) * std::max({1.0, inertia_(0, 0), inertia_(1, 1)})); }
+double SpacecraftImpedance::tilt_scale(double omega) const {
+  return 1 / std::sqrt((1 + omega * omega) * std::max({1.0, inertia_(0, 0), inertia_(1, 1)}));
+}
 
 // The frozen satellite: −m on ξ, −J33 on φ3, and on θ1, θ2 (docs/booms.md (B3))
 //     [Ω²(J33 − J22) − ω²J11    (Ω² − ω²)J12 − jωΩ(J11 + J22 − J33)]
@@ -149,7 +156,8 @@ double SpacecraftImpedance::rounding(double omega) const {
   return epsilon * (static_cast<double>(size_) + wire_phase_ * omega + beam_phase_ * std::sqrt(omega + 1));
 }
 
-// In the plane ζ is minus the first moment of the motion relative to the body, as the mass centre rests; B⁻¹ξ is not to be had at Ω.
+// In the plane ζ is minus the first moment of the motion relative to the body, as the mass centre rests; B⁻¹ξ is not to
+// be had at Ω.
 ComplexVector SpacecraftImpedance::body_motion(double omega, const ComplexVector& x) const {
   const ComplexVector y = body_vector(omega, x);
   Eigen::Vector2cd moment = Eigen::Vector2cd::Zero();

@@ -8,9 +8,11 @@
 
 namespace gyromode {
 
-/// The exact impedance of a satellite on (ξ1, ξ2, ξ3, θ1, θ2, φ3) of its mass centre P (SpinOperators) and the coordinates of its appendages; equal cables share their fields.
+/// The exact impedance of a satellite on (ξ1, ξ2, ξ3, θ1, θ2, φ3) of its mass centre P (SpinOperators) and the
+/// coordinates of its appendages; equal cables share their fields.
 ///
-/// Dimensionless: mass in units of the whole, time in 1/spin, length √(J33/m). θ1 and θ2 are divided by √(1 + ω²), and by what the largest inertia asks for.
+/// Dimensionless: mass in units of the whole, time in 1/spin, length √(J33/m). θ1 and θ2 are divided by √(1 + ω²), and
+/// by what the largest inertia asks for.
 class SpacecraftImpedance : public LiftedImpedance {
  public:
   explicit SpacecraftImpedance(const Spacecraft& s);
@@ -43,8 +45,8 @@ class SpacecraftImpedance : public LiftedImpedance {
   /// Coordinates that nothing holds: ξ1, ξ2, ξ3, φ3. Of them φ3 is coupled to others through G.
   static std::vector<Index> free_coordinates() { return {0, 1, 2, 5}; }
   static std::vector<Index> cyclic_coordinates() { return {5}; }
-  /// Pairs of zero roots beyond spin phase and axial translation: wires hinged on the axis (radius 0) turn about it for themselves, in all patterns that leave the mass centre and the
-  /// body's tilt at rest.
+  /// Pairs of zero roots beyond spin phase and axial translation: wires hinged on the axis (radius 0) turn about it for
+  /// themselves, in all patterns that leave the mass centre and the body's tilt at rest.
   Index neutral_patterns() const { return neutral_patterns_; }
 
  private:

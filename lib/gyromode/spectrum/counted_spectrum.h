@@ -25,11 +25,12 @@ struct CountedRoot {
 struct RootRange {
   std::vector<CountedRoot> roots;
   std::function<Mode(std::size_t root, bool with_shape)> mode;  ///< frequencies in rad per unit of time
-  double known_below = infinity;  ///< work was stopped: roots from here on are not all known
+  double known_below = infinity;                                ///< work was stopped: roots from here on are not all known
 };
 
-/// What every engine leaves: the roots of a model with counts that are independent of them. Windows, their ends, the lowest so many, coverage, counts and results are made of this and nothing else (certificate/, modes/).
-/// Frequencies are in a unit of the engine's choice.
+/// What every engine leaves: the roots of a model with counts that are independent of them. Windows, their ends, the
+/// lowest so many, coverage, counts and results are made of this and nothing else (certificate/, modes/). Frequencies
+/// are in a unit of the engine's choice.
 class CountedSpectrum {
  public:
   virtual ~CountedSpectrum() = default;
@@ -39,7 +40,8 @@ class CountedSpectrum {
 
   /// All roots, ascending, of an engine that finds them at once; null where roots are found by ranges.
   virtual const std::vector<CountedRoot>* all_roots() const { return nullptr; }
-  /// The roots of [a, b), and perhaps some outside, zero roots too where a = 0. b may be infinite where there are finitely many.
+  /// The roots of [a, b), and perhaps some outside, zero roots too where a = 0. b may be infinite where there are
+  /// finitely many.
   virtual RootRange roots(const Window& range, const Progress& progress = {}) const = 0;
   /// Whether there are finitely many; and then a frequency above all of them, where −ω²M has taken over.
   virtual bool finite() const { return true; }
@@ -51,7 +53,8 @@ class CountedSpectrum {
   virtual Index most_roots() const { return std::numeric_limits<Index>::max(); }
   /// How many roots are in (0, ω), by counts where roots are found by ranges.
   virtual Index below(double omega) const = 0;
-  /// How many more roots a range holds than n₋ changes by: two for every one of negative energy that is known, one for each of an undecided pair (one + and one −).
+  /// How many more roots a range holds than n₋ changes by: two for every one of negative energy that is known, one for
+  /// each of an undecided pair (one + and one −).
   virtual Index missed_by_signs(const Window& range) const = 0;
   virtual Index zero_roots() const = 0;
 
@@ -63,7 +66,8 @@ class CountedSpectrum {
   /// The index balance, and why it is open, for people.
   virtual IndexBalance balance() const = 0;
   virtual std::string open_reason() const = 0;
-  /// Whether every root was isolated by counts, or shown not to be listed twice: then counts between the ends can add nothing.
+  /// Whether every root was isolated by counts, or shown not to be listed twice: then counts between the ends can add
+  /// nothing.
   virtual bool isolated() const = 0;
 
   /// All of a result that does not depend on the window.

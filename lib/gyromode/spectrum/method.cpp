@@ -7,8 +7,13 @@ namespace gyromode {
 
 namespace {
 
-constexpr std::array<std::pair<Method, std::string_view>, 7> words{{{Method::automatic, "auto"}, {Method::quadrature, "quadrature"}, {Method::hidden, "hidden"}, {Method::general, "general"},
-                                                                     {Method::companion, "first-order"}, {Method::meirovitch, "symmetric-2n"}, {Method::exact, "exact"}}};
+constexpr std::array<std::pair<Method, std::string_view>, 7> words{{{Method::automatic, "auto"},
+                                                                    {Method::quadrature, "quadrature"},
+                                                                    {Method::hidden, "hidden"},
+                                                                    {Method::general, "general"},
+                                                                    {Method::companion, "first-order"},
+                                                                    {Method::meirovitch, "symmetric-2n"},
+                                                                    {Method::exact, "exact"}}};
 
 }  // namespace
 

@@ -5,7 +5,8 @@
 
 namespace gyromode {
 
-/// Which solver to use. `automatic` takes the best for the class; the others are refused (NotApplicable) where they do not apply.
+/// Which solver to use. `automatic` takes the best for the class; the others are refused (NotApplicable) where they do
+/// not apply.
 enum class Method {
   automatic,
   quadrature,  ///< real, of order n, by a partition into in phase and in quadrature

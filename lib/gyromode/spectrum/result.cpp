@@ -50,8 +50,14 @@ ComplexMatrix ModesResult::shapes() const {
 }
 
 std::ostream& operator<<(std::ostream& out, const ModesResult& r) {
-  for (const Mode& m : r.modes) out << fmt::format("{:.15g} rad/s, energy {}, {}\n", m.omega, m.energy_sign > 0 ? "+" : m.energy_sign < 0 ? "-" : "0", to_string(m.kind));
-  return out << fmt::format("{}; {}: found {}{}\n", to_string(r.stability), to_string(r.coverage.status), r.coverage.found, r.coverage.counted ? fmt::format(", counted {}", *r.coverage.counted) : "");
+  for (const Mode& m : r.modes)
+    out << fmt::format("{:.15g} rad/s, energy {}, {}\n", m.omega,
+                       m.energy_sign > 0   ? "+"
+                       : m.energy_sign < 0 ? "-"
+                                           : "0",
+                       to_string(m.kind));
+  return out << fmt::format("{}; {}: found {}{}\n", to_string(r.stability), to_string(r.coverage.status), r.coverage.found,
+                            r.coverage.counted ? fmt::format(", counted {}", *r.coverage.counted) : "");
 }
 
 }  // namespace gyromode

@@ -14,32 +14,40 @@
 
 namespace gyromode {
 
-/// `rigid_body`: a zero mode of K ≥ 0 (a constant solution, in first order); of a spacecraft spin phase, axial translation and tilt of the momentum axis. `local`: the kept coordinates
-/// of a condensed model, or the body of a spacecraft, take no part.
+/// `rigid_body`: a zero mode of K ≥ 0 (a constant solution, in first order); of a spacecraft spin phase, axial
+/// translation and tilt of the momentum axis. `local`: the kept coordinates of a condensed model, or the body of a
+/// spacecraft, take no part.
 enum class ModeKind { vibration, rigid_body, local };
 std::string_view to_string(ModeKind kind);
 
 /// One motion Re(X e^{jωt}).
 struct Mode {
-  double omega = 0;              ///< rad per unit of time, ≥ 0; a zero mode is one pair of zero roots (one root, in first order)
-  int energy_sign = 1;           ///< κ: 1, −1, or 0 where it cannot be told (zero modes, coinciding roots of opposite sign)
+  double omega = 0;                     ///< rad per unit of time, ≥ 0; a zero mode is one pair of zero roots (one root, in first order)
+  int energy_sign = 1;                  ///< κ: 1, −1, or 0 where it cannot be told (zero modes, coinciding roots of opposite sign)
   ModeKind kind = ModeKind::vibration;  ///< what moves
-  Index multiplicity = 1;  ///< how many modes this entry stands for
-  double residual = 0;           ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂), 1-norms of matrices; of a spacecraft with exact booms |μ/(ω μ′)|, μ the eigenvalue of H_red that vanishes
-  double error_bound = 0;        ///< on |δω|, to first order
-  Index cluster = 1;             ///< how many modes rounding cannot tell apart here: of more than one the span is what is determined, not each shape
+  Index multiplicity = 1;               ///< how many modes this entry stands for
+  /// ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂), 1-norms of matrices; of a spacecraft with exact booms |μ/(ω μ′)|, μ the
+  /// eigenvalue of H_red that vanishes
+  double residual = 0;
+  double error_bound = 0;  ///< on |δω|, to first order
+  /// how many modes rounding cannot tell apart here: of more than one the span is what is determined, not each shape
+  Index cluster = 1;
   std::optional<std::array<double, 2>> bracket;  ///< [lo, hi] between which a count proves the root, where there is one
-  std::vector<ComplexMatrix> field;  ///< displacement of the points of each outline, 3 × points, in the scale of the shape; spacecraft only, with shapes
-  ComplexVector shape;           ///< empty unless asked for; largest entry 1 (the first of ties), n entries in the order of the labels
+  /// displacement of the points of each outline, 3 × points, in the scale of the shape; spacecraft only, with shapes
+  std::vector<ComplexMatrix> field;
+  ComplexVector shape;  ///< empty unless asked for; largest entry 1 (the first of ties), n entries in the order of the labels
 };
 
-/// A growing motion: e^{σt}, with ω = 0 for divergence, ω > 0 for flutter. It stands for the pair ±σ or the quadruple ±σ ± jω.
+/// A growing motion: e^{σt}, with ω = 0 for divergence, ω > 0 for flutter. It stands for the pair ±σ or the quadruple
+/// ±σ ± jω.
 struct UnstableMode {
   double growth_rate = 0;  ///< σ > 0, 1 per unit of time
   double omega = 0;        ///< rad per unit of time; 0 for divergence
-  double residual = 0;     ///< ‖(λ²M + λG + K)X‖₂ / ((‖K‖ + |λ|‖G‖ + |λ|²‖M‖)‖X‖₂), λ = σ + jω; of a spacecraft |μ/(λ μ′)|, μ the singular value of H_red(λ) that vanishes
+  /// ‖(λ²M + λG + K)X‖₂ / ((‖K‖ + |λ|‖G‖ + |λ|²‖M‖)‖X‖₂), λ = σ + jω; of a spacecraft |μ/(λ μ′)|, μ the singular value
+  /// of H_red(λ) that vanishes
+  double residual = 0;
   double error_bound = 0;  ///< on |δλ|, to first order, or the radius of the disc in which it was counted
-  ComplexVector shape;  ///< X of Re(X e^{(σ + jω)t}), largest entry 1; empty unless asked for, and of a spacecraft
+  ComplexVector shape;     ///< X of Re(X e^{(σ + jω)t}), largest entry 1; empty unless asked for, and of a spacecraft
 
   bool flutter() const { return omega > 0; }  ///< else divergence
 };
@@ -47,15 +55,16 @@ struct UnstableMode {
 enum class CoverageStatus { complete, incomplete, not_counted };
 std::string_view to_string(CoverageStatus status);
 
-/// Is every mode of the window there? `complete` only where an independent count by factorisations agrees with what was found.
+/// Is every mode of the window there? `complete` only where an independent count by factorisations agrees with what was
+/// found.
 struct Coverage {
   CoverageStatus status = CoverageStatus::not_counted;  ///< the answer
-  Window window;               ///< what was used: an endpoint on a mode is moved outward
-  Window requested;            ///< as asked
-  Index found = 0;             ///< with multiplicity
-  std::optional<Index> counted;  ///< by factorisations; nothing where the balance is open or work was stopped
-  std::string reason;          ///< why not complete, for people; empty where complete
-  bool interrupted = false;    ///< work was stopped: `window` is the part of which all modes were found by then
+  Window window;                                        ///< what was used: an endpoint on a mode is moved outward
+  Window requested;                                     ///< as asked
+  Index found = 0;                                      ///< with multiplicity
+  std::optional<Index> counted;                         ///< by factorisations; nothing where the balance is open or work was stopped
+  std::string reason;                                   ///< why not complete, for people; empty where complete
+  bool interrupted = false;                             ///< work was stopped: `window` is the part of which all modes were found by then
 };
 
 enum class CountStatus { exact, signed_only, doubtful };
@@ -80,25 +89,26 @@ struct ModelOutline {
 
 /// Everything `gyromode modes` reports, free of any output format.
 struct ModesResult {
-  Structure structure;  ///< components and partition
-  InertiaOfK stiffness;  ///< of the whole K
-  std::string solver;                    ///< one line: which solver served each component, and why
-  bool first_order = false;  ///< I q̇ + G q = 0
-  bool transcendental = false;         ///< of a spacecraft with exact booms: infinitely many modes
+  Structure structure;                       ///< components and partition
+  InertiaOfK stiffness;                      ///< of the whole K
+  std::string solver;                        ///< one line: which solver served each component, and why
+  bool first_order = false;                  ///< I q̇ + G q = 0
+  bool transcendental = false;               ///< of a spacecraft with exact booms: infinitely many modes
   Stability stability = Stability::unknown;  ///< the verdict
-  IndexBalance index_balance;  ///< what the verdict rests on
-  double opposite_gap = 0;             ///< smallest relative distance of roots of opposite energy sign; infinite where there is none
-  Coverage coverage;  ///< whether every mode of the window is there
-  std::vector<ModelOutline> outlines;  ///< of a spacecraft, where shapes were asked for
-  std::vector<Mode> modes;             ///< in the window, ascending in ω
-  std::vector<Mode> negative_modes;    ///< every mode of negative or undecided energy, whatever the window
-  std::vector<UnstableMode> unstable;  ///< all, whatever the window
+  IndexBalance index_balance;                ///< what the verdict rests on
+  double opposite_gap = 0;                   ///< smallest relative distance of roots of opposite energy sign; infinite where there is none
+  Coverage coverage;                         ///< whether every mode of the window is there
+  std::vector<ModelOutline> outlines;        ///< of a spacecraft, where shapes were asked for
+  std::vector<Mode> modes;                   ///< in the window, ascending in ω
+  std::vector<Mode> negative_modes;          ///< every mode of negative or undecided energy, whatever the window
+  std::vector<UnstableMode> unstable;        ///< all, whatever the window
 
   /// Whether every mode of the window was found, and counted.
   bool is_complete() const { return coverage.status == CoverageStatus::complete; }
   /// ω of the modes, ascending, rad per unit of time.
   std::vector<double> frequencies() const;
-  /// The shapes of the modes, n × (number of modes), in the order of the labels. @throws InvalidArgument where they were not asked for
+  /// The shapes of the modes, n × (number of modes), in the order of the labels. @throws InvalidArgument where they
+  /// were not asked for
   ComplexMatrix shapes() const;
 };
 

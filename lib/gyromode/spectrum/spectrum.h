@@ -12,17 +12,19 @@
 
 namespace gyromode {
 
-/// All roots of one connected component of M q̈ + G q̇ + K q = 0 (or I q̇ + G q = 0), as a solver leaves them: not yet certified.
+/// All roots of one connected component of M q̈ + G q̇ + K q = 0 (or I q̇ + G q = 0), as a solver leaves them: not yet
+/// certified.
 struct Spectrum {
   /// Positions of the component's coordinates in the system; with a partition those in phase come first.
   std::vector<Index> order;
   Index split = -1;  ///< number of coordinates in phase, −1 without a partition
 
   Vector omega;  ///< undamped roots with ω > 0, ascending
-  /// Shapes X = re + j im in the order above. With a partition re holds the first `split` rows only and im the others only.
+  /// Shapes X = re + j im in the order above. With a partition re holds the first `split` rows only and im the others
+  /// only.
   Matrix re, im;
 
-  Matrix zero_shapes;              ///< n × zero_pairs, real: one column a pair of zero roots (a zero root, in first order)
+  Matrix zero_shapes;  ///< n × zero_pairs, real: one column a pair of zero roots (a zero root, in first order)
   UnstableRoots unstable;
 
   Index stiffness_negative = 0;  ///< n₋(K)

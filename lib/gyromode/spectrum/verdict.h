@@ -23,7 +23,7 @@ struct IndexBalance {
   Index negative_energy = 0;  ///< k₋
   Index zero = 0;             ///< pairs of zero roots
   Index zero_negative = 0;    ///< n₋(F), the part of n₋(K) that the zero roots take
-  bool closed = true;  ///< whether the equation holds with roots shown to exist
+  bool closed = true;         ///< whether the equation holds with roots shown to exist
 
   /// Of two systems side by side.
   IndexBalance& operator+=(const IndexBalance& other);

@@ -8,10 +8,10 @@ namespace gyromode {
 
 /// A window of frequencies [a, b) in rad per unit of time; b may be infinite.
 struct Window {
-  double a = 0;  ///< ≥ 0
+  double a = 0;                                        ///< ≥ 0
   double b = std::numeric_limits<double>::infinity();  ///< > a
 
-  bool contains(double omega) const { return omega >= a && omega < b; }  ///< whether ω is in [a, b)
+  bool contains(double omega) const { return omega >= a && omega < b; }       ///< whether ω is in [a, b)
   bool open() const { return b == std::numeric_limits<double>::infinity(); }  ///< whether b is infinite
 };
 

@@ -7,7 +7,8 @@
 
 namespace gyromode {
 
-/// Between lo, where the verdict is `from`, and hi, where it is `to`, it changes. Nothing between them is decided, or they are neighbours to the resolution.
+/// Between lo, where the verdict is `from`, and hi, where it is `to`, it changes. Nothing between them is decided, or
+/// they are neighbours to the resolution.
 struct Border {
   double lo = 0, hi = 0;
   StabilityPoint from, to;
@@ -17,15 +18,16 @@ struct Border {
 
 /// Borders between decided verdicts along a line, in a bounded number of evaluations.
 ///
-/// Of two different verdicts at the ends of an interval bisection keeps one at either end: it comes down to one border whatever rounding makes of the verdicts beside it. Points without a
-/// verdict are a band that belongs to the border around it, and its ends are looked for no closer than its width asks. A third verdict parts the interval in two. A verdict that
-/// holds over less than `narrowest_verdict` is none of its own: it belongs to the band.
+/// Of two different verdicts at the ends of an interval bisection keeps one at either end: it comes down to one border
+/// whatever rounding makes of the verdicts beside it. Points without a verdict are a band that belongs to the border
+/// around it, and its ends are looked for no closer than its width asks. A third verdict parts the interval in two. A
+/// verdict that holds over less than `narrowest_verdict` is none of its own: it belongs to the band.
 class BorderSearch {
  public:
-  static constexpr double resolution = 1e-14;         ///< of the range of the parameter, at which a border is a point
-  static constexpr double narrowest_verdict = 1e-8;   ///< of the range
-  static constexpr double of_band = 0.125;            ///< widest gap between points of a band without a verdict, relative to its width
-  static constexpr Index most_evaluations = 256;      ///< between two points; what is then still open is a border as wide as it is
+  static constexpr double resolution = 1e-14;        ///< of the range of the parameter, at which a border is a point
+  static constexpr double narrowest_verdict = 1e-8;  ///< of the range
+  static constexpr double of_band = 0.125;           ///< widest gap between points of a band without a verdict, relative to its width
+  static constexpr Index most_evaluations = 256;     ///< between two points; what is then still open is a border as wide as it is
 
   using Line = std::function<StabilityPoint(double)>;
   BorderSearch(Line verdict, double range) : verdict_(std::move(verdict)), range_(range) {}
@@ -44,7 +46,8 @@ class BorderSearch {
   std::vector<Border> open_;
 };
 
-/// Borders with a verdict between them that is narrower than `width` made one; those that then have one verdict on both sides left out. `borders` are ascending and follow each other.
+/// Borders with a verdict between them that is narrower than `width` made one; those that then have one verdict on both
+/// sides left out. `borders` are ascending and follow each other.
 std::vector<Border> merged(const std::vector<Border>& borders, double width);
 
 }  // namespace gyromode

@@ -12,7 +12,8 @@ struct Place {
   const StabilityPoint* point;
 };
 
-// Places with a verdict, ascending. One with an open balance is left out beside one with the same verdict: it knows less than that.
+// Places with a verdict, ascending. One with an open balance is left out beside one with the same verdict: it knows
+// less than that.
 std::vector<Place> decided(const std::vector<double>& along, const StabilityMap::Cell* cells) {
   std::vector<Place> with_verdict, kept;
   for (std::size_t k = 0; k < along.size(); ++k) {
@@ -53,10 +54,12 @@ void add_row(const Verdict& verdict, const std::vector<double>& rest, const Prog
   const std::vector<Place> places = decided(along, map.cells.data() + first);
   for (std::size_t k = 0; k + 1 < places.size(); ++k) {
     if (!places[k].point->differs(*places[k + 1].point)) continue;
-    for (Border& b : search.between(places[k].at, *places[k].point, places[k + 1].at, *places[k + 1].point)) borders.push_back(std::move(b));
+    for (Border& b : search.between(places[k].at, *places[k].point, places[k + 1].at, *places[k + 1].point))
+      borders.push_back(std::move(b));
     progress.report("verdicts between cells", map.evaluations + search.evaluations(), 0);
   }
-  for (Border& b : merged(borders, BorderSearch::narrowest_verdict * range)) map.critical.push_back({0, b.middle(), b.lo, b.hi, std::move(b.from), std::move(b.to), rest});
+  for (Border& b : merged(borders, BorderSearch::narrowest_verdict * range))
+    map.critical.push_back({0, b.middle(), b.lo, b.hi, std::move(b.from), std::move(b.to), rest});
   map.evaluations += search.evaluations();
 }
 
@@ -79,8 +82,10 @@ StabilityMap map_stability(const Verdict& verdict, std::vector<std::vector<doubl
   StabilityMap map;
   map.axes = std::move(axes);
   try {
-    if (map.axes.size() == 1) add_row(verdict, {}, progress, map);
-    else for (const double y : map.axes[1]) add_row(verdict, {y}, progress, map);
+    if (map.axes.size() == 1)
+      add_row(verdict, {}, progress, map);
+    else
+      for (const double y : map.axes[1]) add_row(verdict, {y}, progress, map);
   } catch (const Interrupted&) {
     map.interrupted = true;
     fill(map);

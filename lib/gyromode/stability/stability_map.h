@@ -10,13 +10,13 @@ namespace gyromode {
 
 /// Where a parameter changes the verdict.
 struct CriticalValue {
-  std::size_t axis = 0;  ///< the parameter that changes: 0, the first
-  double value = 0;             ///< the middle of the bracket
-  double lo = 0;                ///< `from` was found here
-  double hi = 0;                ///< and `to` here, with no verdict of any width between
-  StabilityPoint from;          ///< the verdict below, decided
-  StabilityPoint to;            ///< the verdict above, decided
-  std::vector<double> others;   ///< the other parameters, in their order
+  std::size_t axis = 0;        ///< the parameter that changes: 0, the first
+  double value = 0;            ///< the middle of the bracket
+  double lo = 0;               ///< `from` was found here
+  double hi = 0;               ///< and `to` here, with no verdict of any width between
+  StabilityPoint from;         ///< the verdict below, decided
+  StabilityPoint to;           ///< the verdict above, decided
+  std::vector<double> others;  ///< the other parameters, in their order
 };
 
 /// Verdicts over a grid of one or two parameters.
@@ -24,18 +24,21 @@ struct StabilityMap {
   /// The verdict at one point of the grid.
   struct Cell {
     std::vector<double> values;  ///< of the parameters, SI
-    StabilityPoint point;  ///< the verdict there
+    StabilityPoint point;        ///< the verdict there
   };
   std::vector<std::vector<double>> axes;  ///< values of each parameter, ascending
-  std::vector<Cell> cells;              ///< the first axis runs fastest
-  std::vector<CriticalValue> critical;  ///< along the first axis
-  Index evaluations = 0;                ///< of the verdict between the cells, to find the critical values
-  bool interrupted = false;             ///< stopped before it was done
+  std::vector<Cell> cells;                ///< the first axis runs fastest
+  std::vector<CriticalValue> critical;    ///< along the first axis
+  Index evaluations = 0;                  ///< of the verdict between the cells, to find the critical values
+  bool interrupted = false;               ///< stopped before it was done
 };
 
-/// The verdict over a grid of one or two parameters, and where along the first it changes between neighbouring cells that have one: bisected to BorderSearch::resolution of the range or to
-/// the last bit. Cells and points without a verdict (`unknown`, no model) are no border by themselves; between two different verdicts they widen the bracket of the one border there. What lies between
-/// two neighbours with the same verdict is not looked at. `progress` is told "cells". Where it stops, cells not looked at have no verdict, and critical values are those of the rows that were finished.
+/// The verdict over a grid of one or two parameters, and where along the first it changes between neighbouring cells
+/// that have one: bisected to BorderSearch::resolution of the range or to the last bit. Cells and points without a
+/// verdict (`unknown`, no model) are no border by themselves; between two different verdicts they widen the bracket of
+/// the one border there. What lies between two neighbours with the same verdict is not looked at. `progress` is told
+/// "cells". Where it stops, cells not looked at have no verdict, and critical values are those of the rows that were
+/// finished.
 StabilityMap map_stability(const std::function<StabilityPoint(const std::vector<double>&)>& verdict, std::vector<std::vector<double>> axes,
                            const Progress& progress = {});
 

@@ -26,13 +26,16 @@ ComplexMatrix self_product(const ComplexMatrix& u) {
 std::vector<Cluster> clusters_of(const Vector& ascending, double width) {
   std::vector<Cluster> clusters;
   for (Index i = 0; i < ascending.size(); ++i) {
-    if (i > 0 && ascending(i) - ascending(i - 1) <= width) ++clusters.back().count;
-    else clusters.push_back({i, 1});
+    if (i > 0 && ascending(i) - ascending(i - 1) <= width)
+      ++clusters.back().count;
+    else
+      clusters.push_back({i, 1});
   }
   return clusters;
 }
 
-Conjugation::Conjugation(ComplexMatrix u, std::vector<Cluster> clusters) : u_(std::move(u)), clusters_(std::move(clusters)), w_(self_product(u_)) {
+Conjugation::Conjugation(ComplexMatrix u, std::vector<Cluster> clusters)
+    : u_(std::move(u)), clusters_(std::move(clusters)), w_(self_product(u_)) {
   for (const Cluster& c : clusters_) {
     for (Index j = c.first; j < c.first + c.count; ++j) {
       for (Index i = c.first; i <= j; ++i) unknowns_.push_back({i, j});

@@ -25,8 +25,10 @@ Vector gaussian(Index n, std::uint64_t seed) {
 }  // namespace
 
 void Conjugation::decompose() {
-  if (size() <= dense_unknowns) decompose_densely();
-  else decompose_by_lanczos();
+  if (size() <= dense_unknowns)
+    decompose_densely();
+  else
+    decompose_by_lanczos();
   sharpen();
 }
 
@@ -56,7 +58,8 @@ void Conjugation::decompose_densely() {
   vectors_ = e.vectors.rightCols(keep);
 }
 
-// Lanczos with full reorthogonalisation. Of a multiple eigenvalue one vector is found, which is as generic as the start.
+// Lanczos with full reorthogonalisation. Of a multiple eigenvalue one vector is found, which is as generic as the
+// start.
 void Conjugation::decompose_by_lanczos() {
   const Index steps = std::min(lanczos_steps, 2 * size());
   Matrix q(2 * size(), steps + 1);
@@ -80,8 +83,9 @@ void Conjugation::decompose_by_lanczos() {
   vectors_ = lapack::multiply(q.leftCols(k), e.vectors);
 }
 
-// σ = 1 − ‖Im X‖²: eigenvalues tell ‖Im X‖ to √ε only. On the span of the vectors beside 1 the singular values of the linear map D ↦ Im X tell it to ε. They are those of D ↦ SᵀIm(X)Z with random
-// S and Z, p columns each, to a factor near 1, as p² is several times the dimension: a matrix of p² rows instead of n².
+// σ = 1 − ‖Im X‖²: eigenvalues tell ‖Im X‖ to √ε only. On the span of the vectors beside 1 the singular values of the
+// linear map D ↦ Im X tell it to ε. They are those of D ↦ SᵀIm(X)Z with random S and Z, p columns each, to a factor
+// near 1, as p² is several times the dimension: a matrix of p² rows instead of n².
 void Conjugation::sharpen() {
   constexpr double beside = 1e-5;
   constexpr Index most = 256;
@@ -92,7 +96,8 @@ void Conjugation::sharpen() {
   const Matrix chosen = vectors_(Eigen::all, top);
   const Index n = u_.rows();
   const Index p = std::min(n, static_cast<Index>(std::sqrt(8.0 * static_cast<double>(top.size()))) + 8);
-  const auto svd = lapack::singular_value_decomposition(lapack::multiply(imaginary_part(gaussian(n * p, 3).reshaped(n, p), gaussian(n * p, 4).reshaped(n, p)), chosen));
+  const auto svd = lapack::singular_value_decomposition(
+      lapack::multiply(imaginary_part(gaussian(n * p, 3).reshaped(n, p), gaussian(n * p, 4).reshaped(n, p)), chosen));
   vectors_ = lapack::multiply_nt(chosen, svd.vt);
   departures_ = svd.values / static_cast<double>(p);
 }
@@ -126,7 +131,8 @@ Matrix Conjugation::real_element(double spread, std::uint64_t seed) const {
     const double decay = std::exp(-(departures_(k) - departures_.minCoeff()) / spread);
     if (decay > 1e-12) x += weight(k) * decay * vectors_.col(k);
   }
-  // With D its unitary factor solves D = W D̄ W, and gives the sign of X: without it a random combination of many solutions has eigenvalues near 0, whose sign is lost.
+  // With D its unitary factor solves D = W D̄ W, and gives the sign of X: without it a random combination of many
+  // solutions has eigenvalues near 0, whose sign is lost.
   make_blocks_unitary(x);
   return real_part(x);
 }

@@ -18,7 +18,8 @@ struct CouplingGraph {
   Index size() const { return static_cast<Index>(neighbours.size()); }
 };
 
-/// Entry a_ij ≠ 0 couples i and j, however small (without_ignored_couplings() leaves small ones out). `symmetric` are the matrices that couple in phase (M and K, or I), `skew` the one that couples across (G).
+/// Entry a_ij ≠ 0 couples i and j, however small (without_ignored_couplings() leaves small ones out). `symmetric` are
+/// the matrices that couple in phase (M and K, or I), `skew` the one that couples across (G).
 CouplingGraph coupling_graph(const std::vector<const Matrix*>& symmetric, const Matrix& skew);
 
 }  // namespace gyromode

@@ -13,7 +13,7 @@ std::string_view to_string(Definiteness d);
 /// How many eigenvalues of K are negative, and how many are zero.
 struct InertiaOfK {
   Index negative = 0;  ///< n₋(K)
-  Index zero = 0;  ///< dim null(K)
+  Index zero = 0;      ///< dim null(K)
 
   Definiteness definiteness() const;  ///< what they make of K
 };

@@ -12,7 +12,8 @@ namespace gyromode {
 namespace {
 
 void require(double tolerance) {
-  if (!(tolerance >= 0 && tolerance <= 1)) throw InvalidArgument(fmt::format("coupling tolerance: {:g} where a fraction from 0 to 1 was expected", tolerance));
+  if (!(tolerance >= 0 && tolerance <= 1))
+    throw InvalidArgument(fmt::format("coupling tolerance: {:g} where a fraction from 0 to 1 was expected", tolerance));
 }
 
 double largest_entry(const Matrix& a) { return a.size() == 0 ? 0 : a.cwiseAbs().maxCoeff(); }
@@ -28,7 +29,8 @@ IgnoredCouplings left_out(std::initializer_list<const Matrix*> matrices, double 
   require(tolerance);
   IgnoredCouplings all{tolerance, 0};
   for (const Matrix* a : matrices) {
-    if (const double most = largest_entry(*a); most > 0) all.largest = std::max(all.largest, largest_entry(*a - thresholded(*a, tolerance)) / most);
+    if (const double most = largest_entry(*a); most > 0)
+      all.largest = std::max(all.largest, largest_entry(*a - thresholded(*a, tolerance)) / most);
   }
   return all;
 }
@@ -39,7 +41,8 @@ auto keeping_laws(double tolerance, Make&& make) {
   try {
     return make();
   } catch (const LawBroken& e) {
-    throw LawBroken(fmt::format("with couplings up to {:.2g} of the largest entry left out, {}: a smaller tolerance was expected", tolerance, e.what()));
+    throw LawBroken(fmt::format("with couplings up to {:.2g} of the largest entry left out, {}: a smaller tolerance was expected",
+                                tolerance, e.what()));
   }
 }
 
@@ -48,7 +51,9 @@ auto keeping_laws(double tolerance, Make&& make) {
 System without_ignored_couplings(const System& s, double tolerance) {
   require(tolerance);
   if (tolerance == 0) return s;
-  return keeping_laws(tolerance, [&] { return s.replaced(thresholded(s.mass(), tolerance), thresholded(s.gyroscopic(), tolerance), thresholded(s.stiffness(), tolerance)); });
+  return keeping_laws(tolerance, [&] {
+    return s.replaced(thresholded(s.mass(), tolerance), thresholded(s.gyroscopic(), tolerance), thresholded(s.stiffness(), tolerance));
+  });
 }
 
 FirstOrderSystem without_ignored_couplings(const FirstOrderSystem& s, double tolerance) {
@@ -57,12 +62,18 @@ FirstOrderSystem without_ignored_couplings(const FirstOrderSystem& s, double tol
   return keeping_laws(tolerance, [&] { return s.replaced(thresholded(s.inertia(), tolerance), thresholded(s.gyroscopic(), tolerance)); });
 }
 
-IgnoredCouplings ignored_couplings(const System& s, double tolerance) { return left_out({&s.mass(), &s.gyroscopic(), &s.stiffness()}, tolerance); }
-IgnoredCouplings ignored_couplings(const FirstOrderSystem& s, double tolerance) { return left_out({&s.inertia(), &s.gyroscopic()}, tolerance); }
+IgnoredCouplings ignored_couplings(const System& s, double tolerance) {
+  return left_out({&s.mass(), &s.gyroscopic(), &s.stiffness()}, tolerance);
+}
+IgnoredCouplings ignored_couplings(const FirstOrderSystem& s, double tolerance) {
+  return left_out({&s.inertia(), &s.gyroscopic()}, tolerance);
+}
 
 std::string in_words(const IgnoredCouplings& i) {
-  if (i.largest == 0) return fmt::format("no coupling is as small as {:.2g} of the largest entry of its matrix: none is left out", i.tolerance);
-  return fmt::format("couplings up to {:.2g} of the largest entry of their matrix are left out, as asked: the largest of them is {:.2g}", i.tolerance, i.largest);
+  if (i.largest == 0)
+    return fmt::format("no coupling is as small as {:.2g} of the largest entry of its matrix: none is left out", i.tolerance);
+  return fmt::format("couplings up to {:.2g} of the largest entry of their matrix are left out, as asked: the largest of them is {:.2g}",
+                     i.tolerance, i.largest);
 }
 
 }  // namespace gyromode

@@ -8,8 +8,9 @@
 
 namespace gyromode {
 
-/// The system without its couplings up to `tolerance`, with the labels and symmetry errors of the given one: another system, an approximation, of which every question is then asked.
-/// The diagonals stay, however small; with tolerance 0 nothing is left out. Throws InvalidArgument unless 0 ≤ tolerance ≤ 1, LawBroken where M (I) is not positive definite
+/// The system without its couplings up to `tolerance`, with the labels and symmetry errors of the given one: another
+/// system, an approximation, of which every question is then asked. The diagonals stay, however small; with tolerance 0
+/// nothing is left out. Throws InvalidArgument unless 0 ≤ tolerance ≤ 1, LawBroken where M (I) is not positive definite
 /// without them.
 System without_ignored_couplings(const System& system, double tolerance);
 FirstOrderSystem without_ignored_couplings(const FirstOrderSystem& system, double tolerance);

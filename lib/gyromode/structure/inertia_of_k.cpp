@@ -16,8 +16,9 @@ namespace gyromode {
 
 namespace {
 
-// Up to the first order the rank is decided entry by entry. Beyond, a blocked factorisation decides where both its pivots and its condition estimate leave a factor
-// 10 and more to the threshold (either alone can miss a null vector); else again entry by entry up to the second order, and the eigenvalues of the equilibrated K beyond that.
+// Up to the first order the rank is decided entry by entry. Beyond, a blocked factorisation decides where both its
+// pivots and its condition estimate leave a factor 10 and more to the threshold (either alone can miss a null vector);
+// else again entry by entry up to the second order, and the eigenvalues of the equilibrated K beyond that.
 constexpr Index entry_by_entry_up_to = 64, singular_entry_by_entry_up_to = 256;
 
 bool clearly_regular(double reciprocal_condition, const Vector& pivots) {
@@ -26,7 +27,8 @@ bool clearly_regular(double reciprocal_condition, const Vector& pivots) {
   return std::min(reciprocal_condition, ratio) > 100 * n * epsilon;
 }
 
-// Unit diagonal is as good as equilibration here: of all scalings it leaves a positive definite matrix within a factor n of the best condition (van der Sluis 1969).
+// Unit diagonal is as good as equilibration here: of all scalings it leaves a positive definite matrix within a factor
+// n of the best condition (van der Sluis 1969).
 std::optional<StiffnessInertia> positive_by_cholesky(const Matrix& k) {
   if (!(k.diagonal().array() > 0).all()) return std::nullopt;
   Vector scale = unit_diagonal_scale(k);
@@ -35,7 +37,8 @@ std::optional<StiffnessInertia> positive_by_cholesky(const Matrix& k) {
   if (lapack::cholesky(l)) return std::nullopt;
   const double rcond = lapack::reciprocal_condition(l, norm);
   if (!clearly_regular(rcond, l.diagonal().cwiseAbs2())) return std::nullopt;
-  return StiffnessInertia{{0, 0}, k.rows(), Matrix(k.rows(), 0), rcond, false, std::make_shared<const PositiveFactor>(PositiveFactor{std::move(scale), std::move(l)})};
+  return StiffnessInertia{{0, 0}, k.rows(), Matrix(k.rows(), 0),
+                          rcond,  false,    std::make_shared<const PositiveFactor>(PositiveFactor{std::move(scale), std::move(l)})};
 }
 
 std::optional<StiffnessInertia> regular_by_pivots(const Matrix& k) {
@@ -48,8 +51,9 @@ std::optional<StiffnessInertia> regular_by_pivots(const Matrix& k) {
   return StiffnessInertia{{negative, 0}, k.rows() - negative, Matrix(k.rows(), 0), rcond, false, {}};
 }
 
-// D v̂ of differing units point the same way. Gauss–Jordan elimination with complete pivoting makes the columns a unit matrix in some rows and at most about one
-// in the others: independent to working precision, and every entry keeps its relative accuracy as far as subtraction lets it.
+// D v̂ of differing units point the same way. Gauss–Jordan elimination with complete pivoting makes the columns a unit
+// matrix in some rows and at most about one in the others: independent to working precision, and every entry keeps its
+// relative accuracy as far as subtraction lets it.
 Matrix independent_columns(Matrix a) {
   std::vector<bool> used(static_cast<std::size_t>(a.rows()), false);
   for (Index k = 0; k < a.cols(); ++k) {
@@ -96,7 +100,8 @@ StiffnessInertia by_eigenvalues(const Matrix& k, const Vector& scale) {
   result.doubtful = !(smallest > 8 * threshold);
   result.null_space.resize(n, result.zero);
   if (result.zero > 0) {  // K̂ v = 0 means K (D v) = 0. Zero eigenvalues stand together, after the negative ones.
-    result.null_space = independent_columns(scale.asDiagonal() * lapack::symmetric_eigen(k).vectors.middleCols(result.negative, result.zero));
+    result.null_space =
+        independent_columns(scale.asDiagonal() * lapack::symmetric_eigen(k).vectors.middleCols(result.negative, result.zero));
   }
   return result;
 }

@@ -50,10 +50,11 @@ class WalkSearch {
   WalkNode& node(Index v) { return nodes_[static_cast<std::size_t>(v)]; }
   const WalkNode& node(Index v) const { return nodes_[static_cast<std::size_t>(v)]; }
 
-  // The tree paths of v and edge.to up to their lowest common ancestor, joined by the edge that contradicts the colours.
+  // The tree paths of v and edge.to up to their lowest common ancestor, joined by the edge that contradicts the
+  // colours.
   OddCycle close_cycle(Index v, const CouplingGraph::Edge& edge) const {
-    std::vector<Index> down{v};       // v, parent(v), … , ancestor
-    std::vector<Index> up{edge.to};   // edge.to, parent, … , ancestor
+    std::vector<Index> down{v};      // v, parent(v), … , ancestor
+    std::vector<Index> up{edge.to};  // edge.to, parent, … , ancestor
     while (down.back() != up.back()) {
       auto& deeper = node(down.back()).depth >= node(up.back()).depth ? down : up;
       deeper.push_back(node(deeper.back()).parent);

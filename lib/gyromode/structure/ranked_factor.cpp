@@ -14,7 +14,8 @@ namespace {
 
 class Elimination {
  public:
-  Elimination(Matrix s, Matrix terms) : s_(std::move(s)), terms_(std::move(terms)), n_(s_.rows()), l_(Matrix::Zero(n_, n_)), order_(static_cast<std::size_t>(n_)) {
+  Elimination(Matrix s, Matrix terms)
+      : s_(std::move(s)), terms_(std::move(terms)), n_(s_.rows()), l_(Matrix::Zero(n_, n_)), order_(static_cast<std::size_t>(n_)) {
     std::iota(order_.begin(), order_.end(), Index{0});
     zero_ = zero_to_rounding(n_);
   }
@@ -54,7 +55,8 @@ class Elimination {
  private:
   double ratio(Index i, Index k) const { return s_(i, k) == 0 ? 0 : std::abs(s_(i, k)) / terms_(i, k); }
 
-  // What is no more than rounding is no pivot. It stays where it is: to put zeros in its place would be an error of 8nε in every entry, and the pivots that follow would be that.
+  // What is no more than rounding is no pivot. It stays where it is: to put zeros in its place would be an error of 8nε
+  // in every entry, and the pivots that follow would be that.
   double size(Index i, Index k) const { return ratio(i, k) > zero_ ? std::abs(s_(i, k)) : 0; }
 
   void exchange(Index a, Index b) {
@@ -103,7 +105,8 @@ class Elimination {
     l_.block(at, at, width, width).setIdentity();
     l_.block(at + width, at, rest, width) = factor;
     s_.bottomRightCorner(rest, rest) -= factor * below.transpose();
-    terms_.bottomRightCorner(rest, rest) += factor.cwiseAbs() * below.cwiseAbs().transpose();  // the backward error is some ε of Σ |L||D||Lᵀ|
+    // the backward error is some ε of Σ |L||D||Lᵀ|
+    terms_.bottomRightCorner(rest, rest) += factor.cwiseAbs() * below.cwiseAbs().transpose();
     for (Index k = at + width; k < n_; ++k) {
       for (Index i = k; i < n_; ++i) {
         s_(i, k) = s_(k, i) = 0.5 * (s_(i, k) + s_(k, i));

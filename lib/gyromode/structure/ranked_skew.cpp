@@ -31,7 +31,8 @@ Pivot largest(const Matrix& s, const Matrix& terms, double zero, Index from) {
 
 }  // namespace
 
-// With the pair first, S = [g J, −Bᵀ; B, S₂], J = [0 −1; 1 0]: the Schur complement is S₂ + B(gJ)⁻¹Bᵀ = S₂ + (b₁b₂ᵀ − b₂b₁ᵀ)/g, and null vectors (t, z) have t = (gJ)⁻¹Bᵀz = (b₂ᵀz, −b₁ᵀz)/g.
+// With the pair first, S = [g J, −Bᵀ; B, S₂], J = [0 −1; 1 0]: the Schur complement is S₂ + B(gJ)⁻¹Bᵀ = S₂ + (b₁b₂ᵀ −
+// b₂b₁ᵀ)/g, and null vectors (t, z) have t = (gJ)⁻¹Bᵀz = (b₂ᵀz, −b₁ᵀz)/g.
 RankedSkew ranked_skew(Matrix s, Matrix terms) {
   const Index n = s.rows();
   const double zero = zero_to_rounding(n);
@@ -61,14 +62,16 @@ RankedSkew ranked_skew(Matrix s, Matrix terms) {
     t.row(at).tail(rest) = b2.transpose() / g;
     t.row(at + 1).tail(rest) = -b1.transpose() / g;
     s.bottomRightCorner(rest, rest) += (b1 * b2.transpose() - b2 * b1.transpose()) / g;
-    terms.bottomRightCorner(rest, rest) += (b1.cwiseAbs() * b2.cwiseAbs().transpose() + b2.cwiseAbs() * b1.cwiseAbs().transpose()) / std::abs(g);
+    terms.bottomRightCorner(rest, rest) +=
+        (b1.cwiseAbs() * b2.cwiseAbs().transpose() + b2.cwiseAbs() * b1.cwiseAbs().transpose()) / std::abs(g);
   }
   f.regular.assign(order.begin(), order.begin() + at);
   f.free.assign(order.begin() + at, order.end());
   const Index free = n - at;
   Matrix all = Matrix::Zero(n, free);  // in the order of elimination
   all.bottomRows(free).setIdentity();
-  for (Index i = at - 1; i >= 0; --i) all.row(i) = t.row(i).tail(n - i - (i % 2 == 0 ? 2 : 1)) * all.bottomRows(n - i - (i % 2 == 0 ? 2 : 1));
+  for (Index i = at - 1; i >= 0; --i)
+    all.row(i) = t.row(i).tail(n - i - (i % 2 == 0 ? 2 : 1)) * all.bottomRows(n - i - (i % 2 == 0 ? 2 : 1));
   f.null_space = Matrix::Zero(n, free);
   for (Index i = 0; i < n; ++i) f.null_space.row(order[static_cast<std::size_t>(i)]) = all.row(i);
   return f;

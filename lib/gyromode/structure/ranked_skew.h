@@ -6,8 +6,9 @@
 
 namespace gyromode {
 
-/// What a real skew matrix S is, entry by entry: pairs of pivots ±g by complete pivoting, until all that is left is below rounding of the terms that it is made of (as in RankedFactor). The
-/// zero pattern of a partition (S couples two groups, and nothing within one) is kept.
+/// What a real skew matrix S is, entry by entry: pairs of pivots ±g by complete pivoting, until all that is left is
+/// below rounding of the terms that it is made of (as in RankedFactor). The zero pattern of a partition (S couples two
+/// groups, and nothing within one) is kept.
 struct RankedSkew {
   std::vector<Index> regular;  ///< the pivots, two by two: S restricted to them is regular
   std::vector<Index> free;     ///< the others: dim null(S)

@@ -36,7 +36,8 @@ std::string_view to_string(Realification how) {
   }
 }
 
-// Of D H D, D powers of two that equilibrate it: a congruence keeps the inertia, and eigenvalues of a graded H itself would lose the small ones in the rounding of the large.
+// Of D H D, D powers of two that equilibrate it: a congruence keeps the inertia, and eigenvalues of a graded H itself
+// would lose the small ones in the rounding of the large.
 Vector Realified::equilibrated_eigenvalues() const {
   if (how == Realification::partition) return lapack::symmetric_eigenvalues(scaled(real_symmetric, equilibrating_scale(real_symmetric)));
   return lapack::hermitian_eigen(scaled(impedance, equilibrating_scale(impedance))).values;

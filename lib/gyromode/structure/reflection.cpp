@@ -40,7 +40,8 @@ class Linearised {
   Matrix k1_, k2_, b_;
 };
 
-// Conjugate gradients until the gradient is small, or the residual: below a tenth of `small` it need not become less where a step takes little off it.
+// Conjugate gradients until the gradient is small, or the residual: below a tenth of `small` it need not become less
+// where a step takes little off it.
 Matrix least_squares(const Linearised& a, Conditions residual, double small) {
   constexpr int steps = 80;
   constexpr double enough = 1e-4;  // of the gradient: the next turn goes on from there
@@ -71,7 +72,8 @@ Matrix least_squares(const Linearised& a, Conditions residual, double small) {
 
 }  // namespace
 
-Reflection::Reflection(const Matrix& k, const Matrix& gamma, Matrix plus_, Matrix minus_) : plus(std::move(plus_)), minus(std::move(minus_)) {
+Reflection::Reflection(const Matrix& k, const Matrix& gamma, Matrix plus_, Matrix minus_)
+    : plus(std::move(plus_)), minus(std::move(minus_)) {
   const Matrix k_plus = multiply(k, plus), gamma_plus = multiply(gamma, plus);
   k1 = symmetric_part(multiply_tn(plus, k_plus));
   k2 = symmetric_part(multiply_tn(minus, multiply(k, minus)));
@@ -112,8 +114,10 @@ Reflection turned(const Matrix& k, const Matrix& gamma, Reflection r, double uni
   constexpr int turns = 8;
   const auto size = [&](const Reflection& s) { return std::hypot(s.departure_k() / unit_k, s.departure_gamma() / unit_gamma); };
   for (int turn = 0; turn < turns && size(r) > enough; ++turn) {
-    const Matrix theta = least_squares(Linearised(r, unit_k, unit_gamma), {-r.k12 / unit_k, -r.gamma1 / unit_gamma, -r.gamma2 / unit_gamma}, enough);
-    Reflection next(k, gamma, lapack::orthonormal_columns(r.plus - multiply_nt(r.minus, theta)), lapack::orthonormal_columns(r.minus + multiply(r.plus, theta)));
+    const Matrix theta =
+        least_squares(Linearised(r, unit_k, unit_gamma), {-r.k12 / unit_k, -r.gamma1 / unit_gamma, -r.gamma2 / unit_gamma}, enough);
+    Reflection next(k, gamma, lapack::orthonormal_columns(r.plus - multiply_nt(r.minus, theta)),
+                    lapack::orthonormal_columns(r.minus + multiply(r.plus, theta)));
     const double gain = size(next) / size(r);
     if (!(gain < 1)) break;
     r = std::move(next);

@@ -20,7 +20,8 @@ namespace {
 
 constexpr double allowance = 4;  // times n: what rounding may do, in units of what one error in the last place does on average
 
-// Mass-normalised coordinates q = D L⁻ᵀ z, and what one unit in the last place of every entry of M, G, K does to k and Γ there (Frobenius norms).
+// Mass-normalised coordinates q = D L⁻ᵀ z, and what one unit in the last place of every entry of M, G, K does to k and
+// Γ there (Frobenius norms).
 struct Normalised {
   Vector scale;
   Matrix l, k, gamma;
@@ -43,7 +44,8 @@ Normalised normalised(const Matrix& mass, const Matrix& gyroscopic, const Matrix
   s.gamma = 0.5 * (gamma - gamma.transpose());
   s.norm_k = s.k.norm();
   s.norm_gamma = s.gamma.norm();
-  // Independent errors ε√(r_i r_j), r_i the largest entry of row i, become L⁻¹EL⁻ᵀ of norm ε Σ r_i ‖L⁻¹e_i‖² on average.
+  // Independent errors ε√(r_i r_j), r_i the largest entry of row i, become L⁻¹EL⁻ᵀ of norm ε Σ r_i ‖L⁻¹e_i‖² on
+  // average.
   Matrix inverse = Matrix::Identity(mass.rows(), mass.rows());
   lapack::solve_lower(s.l, inverse);
   const Vector stretch = inverse.colwise().squaredNorm().transpose();
@@ -54,7 +56,8 @@ Normalised normalised(const Matrix& mass, const Matrix& gyroscopic, const Matrix
   return s;
 }
 
-// Where the strongest couplings do not lead to a symmetry, the space of all solutions is computed for so many unknowns: about the order of the system, more with clusters.
+// Where the strongest couplings do not lead to a symmetry, the space of all solutions is computed for so many unknowns:
+// about the order of the system, more with clusters.
 constexpr Index affordable_unknowns = 600;
 
 double ratio(double a, double b) { return b > 0 ? a / b : a > 0 ? infinity : 0; }
@@ -71,7 +74,12 @@ ComplexMatrix hermitian_combination(const Normalised& s, double unit_k, double u
 class Search {
  public:
   explicit Search(const Normalised& s)
-      : s_(s), n_(static_cast<double>(s.k.rows())), unit_k_(unit(s.norm_k)), unit_gamma_(unit(s.norm_gamma)), limit_k_(safety * n_ * s.noise_k), limit_gamma_(safety * n_ * s.noise_gamma) {}
+      : s_(s),
+        n_(static_cast<double>(s.k.rows())),
+        unit_k_(unit(s.norm_k)),
+        unit_gamma_(unit(s.norm_gamma)),
+        limit_k_(safety * n_ * s.noise_k),
+        limit_gamma_(safety * n_ * s.noise_gamma) {}
 
   double unit_k() const { return unit_k_; }
   double unit_gamma() const { return unit_gamma_; }
@@ -87,11 +95,13 @@ class Search {
     if (!(worst(*best_) > plain) || !near_miss()) return;
     const double enough = plain * std::min(limit_k_ / unit_k_, limit_gamma_ / unit_gamma_);
     const SignedBasis commuting = commuting_with(s_.k, *best_, safety * s_.noise_k);
-    if (commuting.plus.cols() == best_->plus.cols()) take(turned(s_.k, s_.gamma, Reflection(s_.k, s_.gamma, commuting.plus, commuting.minus), unit_k_, unit_gamma_, enough));
+    if (commuting.plus.cols() == best_->plus.cols())
+      take(turned(s_.k, s_.gamma, Reflection(s_.k, s_.gamma, commuting.plus, commuting.minus), unit_k_, unit_gamma_, enough));
     if (worst(*best_) > 1) take(turned(s_.k, s_.gamma, *best_, unit_k_, unit_gamma_, enough));
   }
-  // Elements of the space of solutions, each a generic one, until one will do: where the space is a line to within `spread`, one is as good as another; where it is not, an unlucky draw can be
-  // nearly singular. Where a clear one of a wider spread is no better than those before, none will be.
+  // Elements of the space of solutions, each a generic one, until one will do: where the space is a line to within
+  // `spread`, one is as good as another; where it is not, an unlucky draw can be nearly singular. Where a clear one of
+  // a wider spread is no better than those before, none will be.
   void draw(const Conjugation& conjugation, double noise) {
     for (const double spread : {0.3 * noise, 3 * noise, 1e-7, 1e-3}) {
       const double before = worst(*best_);
@@ -129,8 +139,8 @@ class Search {
   std::optional<Reflection> best_;
 };
 
-// One number a column of P, n × n in physical coordinates: a random error of one unit in the last place of every entry of a matrix, relative to the largest of its row, becomes ε ρ_i ρ_k at (i, k) of
-// PᵀδP on average.
+// One number a column of P, n × n in physical coordinates: a random error of one unit in the last place of every entry
+// of a matrix, relative to the largest of its row, becomes ε ρ_i ρ_k at (i, k) of PᵀδP on average.
 Vector reach(const Matrix& p, const Matrix& a) { return (p.cwiseAbs2().transpose() * largest_by_row(a)).cwiseSqrt(); }
 
 // Of every eigenvalue of k, its modulus; of those that rounding makes, the least of the others.
@@ -142,27 +152,32 @@ Vector sizes(const Vector& eigenvalues, const Vector& rounding) {
   return eigenvalues.cwiseAbs().cwiseMax(std::isfinite(least) ? least : 0);
 }
 
-// The conditions once more, entry by entry, in the eigenvectors of k₁ and k₂: where K is graded, norms see nothing of its soft part. An entry may be as large, relative to the geometric mean of its
-// row and column, as the norms are allowed relative to ‖k‖ and ‖Γ‖, or as large as rounding makes it there. The largest ratio to that.
+// The conditions once more, entry by entry, in the eigenvectors of k₁ and k₂: where K is graded, norms see nothing of
+// its soft part. An entry may be as large, relative to the geometric mean of its row and column, as the norms are
+// allowed relative to ‖k‖ and ‖Γ‖, or as large as rounding makes it there. The largest ratio to that.
 double worst_entry(const Reflection& r, const Normalised& s, const Matrix& mass, const Matrix& gyroscopic, const Matrix& stiffness) {
   const Index p = r.plus.cols(), n = s.k.rows();
   const auto one = lapack::symmetric_eigen(r.k1), two = lapack::symmetric_eigen(r.k2);
   Matrix basis(n, n);
   basis << lapack::multiply(r.plus, one.vectors), lapack::multiply(r.minus, two.vectors);
-  const Matrix k = lapack::multiply_tn(basis, lapack::multiply(s.k, basis)), gamma = lapack::multiply_tn(basis, lapack::multiply(s.gamma, basis));
+  const Matrix k = lapack::multiply_tn(basis, lapack::multiply(s.k, basis)),
+               gamma = lapack::multiply_tn(basis, lapack::multiply(s.gamma, basis));
   lapack::solve_lower_transposed(s.l, basis);
   const Matrix physical = s.scale.asDiagonal() * basis;
   const Vector of_m = reach(physical, mass), of_g = reach(physical, gyroscopic), of_k = reach(physical, stiffness);
   // An error δ of M adds ½(δk + kδ) to k, and likewise to Γ.
-  const Vector through_k = (k.cwiseAbs2().transpose() * of_m.cwiseAbs2()).cwiseSqrt(), through_gamma = (gamma.cwiseAbs2().transpose() * of_m.cwiseAbs2()).cwiseSqrt();
+  const Vector through_k = (k.cwiseAbs2().transpose() * of_m.cwiseAbs2()).cwiseSqrt(),
+               through_gamma = (gamma.cwiseAbs2().transpose() * of_m.cwiseAbs2()).cwiseSqrt();
   const double many = allowance * static_cast<double>(n);
-  const Vector size_k = sizes(k.diagonal(), many * epsilon * (of_k.cwiseAbs2() + 2 * of_m.cwiseProduct(through_k))), size_gamma = gamma.colwise().norm().transpose();
+  const Vector size_k = sizes(k.diagonal(), many * epsilon * (of_k.cwiseAbs2() + 2 * of_m.cwiseProduct(through_k))),
+               size_gamma = gamma.colwise().norm().transpose();
   double worst = 0;
   for (Index j = 0; j < n; ++j) {
     for (Index i = 0; i < j; ++i) {
       const bool across = (i < p) != (j < p);
       const double entry = std::abs(across ? k(i, j) : gamma(i, j));
-      const double local = across ? ratio(s.noise_k, s.norm_k) * std::sqrt(size_k(i) * size_k(j)) : ratio(s.noise_gamma, s.norm_gamma) * std::sqrt(size_gamma(i) * size_gamma(j));
+      const double local = across ? ratio(s.noise_k, s.norm_k) * std::sqrt(size_k(i) * size_k(j))
+                                  : ratio(s.noise_gamma, s.norm_gamma) * std::sqrt(size_gamma(i) * size_gamma(j));
       const Vector& through = across ? through_k : through_gamma;
       const double own = across ? of_k(i) * of_k(j) : of_g(i) * of_g(j);
       worst = std::max(worst, ratio(entry, many * (local + epsilon * (own + of_m(i) * through(j) + of_m(j) * through(i)))));
@@ -171,7 +186,8 @@ double worst_entry(const Reflection& r, const Normalised& s, const Matrix& mass,
   return worst;
 }
 
-// tr(Γ kΓ k²Γ) over the norms of its three factors. Of matrices without structure it is some n^−1.5; with an R it is rounding, and beside one as far as R is broken.
+// tr(Γ kΓ k²Γ) over the norms of its three factors. Of matrices without structure it is some n^−1.5; with an R it is
+// rounding, and beside one as far as R is broken.
 std::optional<SymmetrySearch> excluded_by_invariant(const Normalised& s) {
   constexpr double far = 1e-2;
   const Matrix p = lapack::multiply(s.k, s.gamma);
@@ -225,7 +241,8 @@ SymmetrySearch find_reversing_symmetry(const Matrix& mass, const Matrix& gyrosco
   const Vector noise_of_each = noise_of_vectors(e.values, noise);
   search.consider(sign_of(conjugation.by_strongest_couplings(noise_of_each)));
   search.turn();
-  // With every eigenvector of A clear of noise the phases are necessary conditions: far off, there is nothing to be found.
+  // With every eigenvector of A clear of noise the phases are necessary conditions: far off, there is nothing to be
+  // found.
   constexpr double clear = 1e-3;
   const bool open = search.near_miss() || conjugation.unknowns() > mass.rows() || noise_of_each.maxCoeff() > clear;
   if (!search.found() && open && conjugation.unknowns() <= affordable_unknowns) {

@@ -51,7 +51,8 @@ std::string_view to_string(SystemClass c) {
 SystemClass Structure::system_class() const {
   const auto all = [&](auto&& has) { return std::all_of(components.begin(), components.end(), has); };
   if (all([](const Component& c) { return c.quadrature(); })) return SystemClass::quadrature;
-  return all([](const Component& c) { return c.quadrature() || c.hidden_quadrature(); }) ? SystemClass::hidden_quadrature : SystemClass::general;
+  return all([](const Component& c) { return c.quadrature() || c.hidden_quadrature(); }) ? SystemClass::hidden_quadrature
+                                                                                         : SystemClass::general;
 }
 
 std::vector<Index> Structure::in_phase() const { return collected(components, &Component::in_phase); }
@@ -71,7 +72,10 @@ Structure analyse(const System& system, HiddenSearch hidden) {
     if (c.quadrature()) continue;
     const auto& at = c.coordinates;
     const Matrix stiffness = system.stiffness()(at, at);
-    if (worth_a_search(stiffness, hidden)) c.search = std::make_shared<SymmetrySearch>(find_reversing_symmetry(system.mass()(at, at), system.gyroscopic()(at, at), stiffness, hidden == HiddenSearch::by_cost && c.coordinates.size() > unnoticed_search));
+    if (worth_a_search(stiffness, hidden))
+      c.search = std::make_shared<SymmetrySearch>(
+          find_reversing_symmetry(system.mass()(at, at), system.gyroscopic()(at, at), stiffness,
+                                  hidden == HiddenSearch::by_cost && c.coordinates.size() > unnoticed_search));
   }
   return s;
 }

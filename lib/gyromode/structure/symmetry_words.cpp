@@ -37,21 +37,22 @@ std::optional<Pairs> pairs_of(const Matrix& r) {
   for (Index i = 0; i < r.rows(); ++i) {
     const auto other = partner(r, i);
     if (!other) return std::nullopt;
-    if (*other < 0) (r(i, i) > 0 ? pairs.kept : pairs.reversed).push_back(i);
-    else if (*other > i) pairs.mixed.emplace_back(i, *other);
+    if (*other < 0)
+      (r(i, i) > 0 ? pairs.kept : pairs.reversed).push_back(i);
+    else if (*other > i)
+      pairs.mixed.emplace_back(i, *other);
   }
   return pairs;
 }
 
-// Angle of the mirror line from coordinate i towards k of [cos 2φ, sin 2φ; sin 2φ, −cos 2φ], degrees in (−90, 90]; nothing where the block is no orthogonal reflection.
+// Angle of the mirror line from coordinate i towards k of [cos 2φ, sin 2φ; sin 2φ, −cos 2φ], degrees in (−90, 90];
+// nothing where the block is no orthogonal reflection.
 std::optional<double> mirror_angle(const Matrix& r, Index i, Index k) {
   if (std::abs(r(i, k) - r(k, i)) > clear_entry || std::abs(r(i, i) + r(k, k)) > clear_entry) return std::nullopt;
   return 90 / std::numbers::pi * std::atan2(r(i, k), r(i, i));
 }
 
-std::string listed(const Labels& labels, const std::vector<Index>& at) {
-  return fmt::format("{}", fmt::join(chosen(labels, at), ", "));
-}
+std::string listed(const Labels& labels, const std::vector<Index>& at) { return fmt::format("{}", fmt::join(chosen(labels, at), ", ")); }
 
 }  // namespace
 
@@ -76,7 +77,8 @@ std::string in_words(const Matrix& r, const Labels& labels) {
     if (!angle) return fmt::format("a reflection that mixes the coordinates in pairs: {}", groups);
     const bool exchange = std::abs(r(i, i)) <= clear_entry;
     if (exchange) {
-      parts.push_back(r(i, k) > 0 ? fmt::format("{} ↔ {}", label(labels, i), label(labels, k)) : fmt::format("{} ↔ −{}", label(labels, i), label(labels, k)));
+      parts.push_back(r(i, k) > 0 ? fmt::format("{} ↔ {}", label(labels, i), label(labels, k))
+                                  : fmt::format("{} ↔ −{}", label(labels, i), label(labels, k)));
       continue;
     }
     one_angle = one_angle && (!common || std::abs(*angle - *common) <= clear_entry * 90);
@@ -85,7 +87,8 @@ std::string in_words(const Matrix& r, const Labels& labels) {
   }
   if (common && !one_angle) return fmt::format("a reflection that mixes the coordinates in pairs: {}", groups);
   std::string words = "a mirror or half-turn";
-  if (common) words += fmt::format(" along the line at {:.6g}° in the plane{} {}", *common, planes.size() > 1 ? "s" : "", fmt::join(planes, ", "));
+  if (common)
+    words += fmt::format(" along the line at {:.6g}° in the plane{} {}", *common, planes.size() > 1 ? "s" : "", fmt::join(planes, ", "));
   std::vector<std::string> does;
   if (!parts.empty()) does.push_back(fmt::format("exchanges {}", fmt::join(parts, ", ")));
   if (!pairs->reversed.empty()) does.push_back("reverses " + listed(labels, pairs->reversed));

@@ -7,7 +7,8 @@ namespace gyromode {
 
 /// A conservative system written in first order,
 ///     I q̇ + G q = 0,   I = Iᵀ > 0,   G = −Gᵀ,   real n × n
-/// (Boland & Janssens 1979, third example, after Meirovitch 1974). With q = X e^{jωt}: H₁(ω) X = (ωI − jG) X = 0, Hermitian.
+/// (Boland & Janssens 1979, third example, after Meirovitch 1974). With q = X e^{jωt}: H₁(ω) X = (ωI − jG) X = 0,
+/// Hermitian.
 class FirstOrderSystem {
  public:
   /// Relative departures from symmetry found at the door, each within 16 ε.
@@ -19,13 +20,14 @@ class FirstOrderSystem {
   /// Throws LawBroken where a law is broken. Labels default to q1 … qn.
   FirstOrderSystem(Matrix inertia, Matrix gyroscopic, Labels labels = {});
 
-  Index size() const { return inertia_.rows(); }  ///< n
-  const Matrix& inertia() const { return inertia_; }  ///< I, n × n, exactly symmetric
-  const Matrix& gyroscopic() const { return gyroscopic_; }  ///< G, n × n, exactly skew
-  const Labels& labels() const { return labels_; }  ///< of the coordinates, n
+  Index size() const { return inertia_.rows(); }                              ///< n
+  const Matrix& inertia() const { return inertia_; }                          ///< I, n × n, exactly symmetric
+  const Matrix& gyroscopic() const { return gyroscopic_; }                    ///< G, n × n, exactly skew
+  const Labels& labels() const { return labels_; }                            ///< of the coordinates, n
   const SymmetryErrors& symmetry_errors() const { return symmetry_errors_; }  ///< of the matrices given
 
-  /// Other matrices in its place, an approximation of it: labels and symmetry errors are taken over. Throws as the constructor.
+  /// Other matrices in its place, an approximation of it: labels and symmetry errors are taken over. Throws as the
+  /// constructor.
   FirstOrderSystem replaced(Matrix inertia, Matrix gyroscopic) const;
 
   /// H₁(ω) = ωI − jG, Hermitian.

@@ -16,7 +16,8 @@ namespace gyromode {
 
 namespace {
 
-// The pair (i, j), i ≥ j, where |a_ij − sign·a_ji| / √(r_i r_j) is largest, r_i the largest entry of row and column i: units cancel.
+// The pair (i, j), i ≥ j, where |a_ij − sign·a_ji| / √(r_i r_j) is largest, r_i the largest entry of row and column i:
+// units cancel.
 struct Departure {
   Index i = 0, j = 0;
   double size = 0;   // |a_ij − sign·a_ji|
@@ -43,16 +44,16 @@ double require_symmetry(std::string_view name, const Matrix& a, double sign) {
   const double largest = a.cwiseAbs().maxCoeff();
   const std::string law = fmt::format("{0} must satisfy {0} = {1}{0}ᵀ", name, sign > 0 ? "" : "−");
   if (b.i == b.j) {
-    throw LawBroken(fmt::format("{}: the diagonal entry ({},{}) = {:.6g} must be 0, it is {:.2g} % of the largest entry", law, b.i + 1, b.j + 1,
-                                    a(b.i, b.j), 100 * std::abs(a(b.i, b.j)) / largest));
+    throw LawBroken(fmt::format("{}: the diagonal entry ({},{}) = {:.6g} must be 0, it is {:.2g} % of the largest entry", law, b.i + 1,
+                                b.j + 1, a(b.i, b.j), 100 * std::abs(a(b.i, b.j)) / largest));
   }
-  throw LawBroken(fmt::format("{}: entries ({},{}) = {:.6g} and ({},{}) = {:.6g} {} by {:.3g}, {:.2g} % of the largest entry", law, b.j + 1, b.i + 1,
-                                  a(b.j, b.i), b.i + 1, b.j + 1, a(b.i, b.j), sign > 0 ? "differ" : "miss opposite signs", b.size,
-                                  100 * b.size / largest));
+  throw LawBroken(fmt::format("{}: entries ({},{}) = {:.6g} and ({},{}) = {:.6g} {} by {:.3g}, {:.2g} % of the largest entry", law, b.j + 1,
+                              b.i + 1, a(b.j, b.i), b.i + 1, b.j + 1, a(b.i, b.j), sign > 0 ? "differ" : "miss opposite signs", b.size,
+                              100 * b.size / largest));
 }
 
-// Smallest eigenvalue of the unit-diagonal A, and the coordinate that weighs most in its vector; beyond order 256 the smallest pivot or reciprocal
-// condition, whichever is less.
+// Smallest eigenvalue of the unit-diagonal A, and the coordinate that weighs most in its vector; beyond order 256 the
+// smallest pivot or reciprocal condition, whichever is less.
 struct Weakest {
   double value = 0;
   Index coordinate = 0;
@@ -78,7 +79,10 @@ Weakest weakest(const Matrix& unit_diagonal) {
 
 void require_order(std::string_view what, Index n) {
   if (n <= most_coordinates) return;
-  throw TooLarge(fmt::format("{} of order {} is too large: dense models have at most {} coordinates; leave coordinates out, or solve parts that nothing couples one by one", what, n, most_coordinates));
+  throw TooLarge(
+      fmt::format("{} of order {} is too large: dense models have at most {} coordinates; leave coordinates out, or solve parts that "
+                  "nothing couples one by one",
+                  what, n, most_coordinates));
 }
 
 void require_square(std::string_view name, const Matrix& a) {
@@ -98,16 +102,17 @@ void require_positive_definite(std::string_view name, const Matrix& a, const Lab
   const Index n = a.rows();
   for (Index i = 0; i < n; ++i) {
     if (!(a(i, i) > 0)) {
-      throw LawBroken(fmt::format("{} must be positive definite: diagonal entry ({},{}) = {:.6g} of coordinate '{}' is not above 0", name, i + 1,
-                                      i + 1, a(i, i), labels[static_cast<std::size_t>(i)]));
+      throw LawBroken(fmt::format("{} must be positive definite: diagonal entry ({},{}) = {:.6g} of coordinate '{}' is not above 0", name,
+                                  i + 1, i + 1, a(i, i), labels[static_cast<std::size_t>(i)]));
     }
   }
   const Weakest w = weakest(scaled(a, unit_diagonal_scale(a)));
   const double limit = static_cast<double>(n) * epsilon;
   if (w.value > limit) return;
-  throw LawBroken(fmt::format("{} must be positive definite: scaled to unit diagonal its smallest eigenvalue is {:.3g}, not above n ε = {:.2g}; coordinate '{}' "
-                                  "takes part most",
-                                  name, w.value, limit, labels[static_cast<std::size_t>(w.coordinate)]));
+  throw LawBroken(fmt::format(
+      "{} must be positive definite: scaled to unit diagonal its smallest eigenvalue is {:.3g}, not above n ε = {:.2g}; coordinate '{}' "
+      "takes part most",
+      name, w.value, limit, labels[static_cast<std::size_t>(w.coordinate)]));
 }
 
 double require_symmetric(std::string_view name, const Matrix& a) { return require_symmetry(name, a, 1); }

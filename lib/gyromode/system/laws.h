@@ -9,8 +9,8 @@
 
 namespace gyromode {
 
-/// The largest order of a dense model. Eigenvalue problems of order 2n are indexed by LAPACK with 32 bits, 8n² + 12n + 1 < 2³¹, and at this order a solver takes some 40 n² bytes, 11 GB, beside the
-/// model's own 24 n².
+/// The largest order of a dense model. Eigenvalue problems of order 2n are indexed by LAPACK with 32 bits, 8n² + 12n +
+/// 1 < 2³¹, and at this order a solver takes some 40 n² bytes, 11 GB, beside the model's own 24 n².
 inline constexpr Index most_coordinates = 16'383;
 
 /// Throws TooLarge for n beyond it; `what` is of that order, "a model".
@@ -24,7 +24,8 @@ void require_positive_definite(std::string_view name, const Matrix& a, const Lab
 
 /// Rounding in another program leaves |a_ij − a_ji| of a few units in the last place. The law A = ±Aᵀ is kept when
 ///     |a_ij ∓ a_ji| ≤ 16 ε √(r_i r_j),   r_i the largest |entry| of row and column i;
-/// the (skew-)symmetric part is then used, and the departure is reported (System::symmetry_errors, `checks` of gyromode structure).
+/// the (skew-)symmetric part is then used, and the departure is reported (System::symmetry_errors, `checks` of gyromode
+/// structure).
 inline constexpr double symmetry_tolerance = 16 * epsilon;
 
 /// The largest |a_ij − a_ji| / √(r_i r_j); throws LawBroken above the tolerance.

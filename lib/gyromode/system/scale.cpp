@@ -43,7 +43,9 @@ std::pair<Vector, Vector> own_weights_of_coupling(const Matrix& b) {
     const auto settled = [](const Vector& v) { return ((v.array() == 0) || (v.array() > 0.5 && v.array() < 2)).all(); };
     if (settled(row_largest) && settled(column_largest)) break;
   }
-  const auto weights = [](const Vector& scale, const Vector& largest) { return Vector((largest.array() > 0).select(scale.array().square().inverse(), 0)); };
+  const auto weights = [](const Vector& scale, const Vector& largest) {
+    return Vector((largest.array() > 0).select(scale.array().square().inverse(), 0));
+  };
   Vector column_largest = b.rows() > 0 ? Vector(b.cwiseAbs().colwise().maxCoeff().transpose()) : Vector(Vector::Zero(b.cols()));
   return {weights(rows, row_largest), weights(columns, column_largest)};
 }

@@ -8,12 +8,12 @@ namespace gyromode {
 ///     M q̈ + (G₀ + ΩG₁) q̇ + (K₀ + Ω²K₂) q = 0.
 /// All matrices n × n; G₁ or K₂ is empty where nothing depends on the spin.
 struct SpinFamily {
-  Matrix mass;  ///< M
-  Matrix gyroscopic;            ///< G₀
-  Matrix gyroscopic_per_spin;   ///< G₁, or empty
-  Matrix stiffness;             ///< K₀
-  Matrix stiffness_per_spin2;   ///< K₂, or empty
-  Labels labels;  ///< of the coordinates; empty: q1 … qn
+  Matrix mass;                 ///< M
+  Matrix gyroscopic;           ///< G₀
+  Matrix gyroscopic_per_spin;  ///< G₁, or empty
+  Matrix stiffness;            ///< K₀
+  Matrix stiffness_per_spin2;  ///< K₂, or empty
+  Labels labels;               ///< of the coordinates; empty: q1 … qn
 
   /// The system at one spin, rad per unit of time. Throws LawBroken.
   System at(double spin) const;

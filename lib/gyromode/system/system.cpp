@@ -13,7 +13,8 @@ namespace gyromode {
 namespace {
 
 void require_size(std::string_view name, const Matrix& a, Index n) {
-  if (a.rows() != n) throw LawBroken(fmt::format("{} must have the order of M: it is {} × {}, M is {} × {}", name, a.rows(), a.cols(), n, n));
+  if (a.rows() != n)
+    throw LawBroken(fmt::format("{} must have the order of M: it is {} × {}, M is {} × {}", name, a.rows(), a.cols(), n, n));
 }
 
 }  // namespace

@@ -21,14 +21,15 @@ class System {
   /// Throws LawBroken where a law is broken. Labels default to q1 … qn.
   System(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labels labels = {});
 
-  Index size() const { return mass_.rows(); }  ///< n
-  const Matrix& mass() const { return mass_; }  ///< M, n × n, exactly symmetric
-  const Matrix& gyroscopic() const { return gyroscopic_; }  ///< G, n × n, exactly skew
-  const Matrix& stiffness() const { return stiffness_; }  ///< K, n × n, exactly symmetric
-  const Labels& labels() const { return labels_; }  ///< of the coordinates, n
+  Index size() const { return mass_.rows(); }                                 ///< n
+  const Matrix& mass() const { return mass_; }                                ///< M, n × n, exactly symmetric
+  const Matrix& gyroscopic() const { return gyroscopic_; }                    ///< G, n × n, exactly skew
+  const Matrix& stiffness() const { return stiffness_; }                      ///< K, n × n, exactly symmetric
+  const Labels& labels() const { return labels_; }                            ///< of the coordinates, n
   const SymmetryErrors& symmetry_errors() const { return symmetry_errors_; }  ///< of the matrices given
 
-  /// Other matrices in its place, an approximation of it: labels and symmetry errors are taken over. Throws as the constructor.
+  /// Other matrices in its place, an approximation of it: labels and symmetry errors are taken over. Throws as the
+  /// constructor.
   System replaced(Matrix mass, Matrix gyroscopic, Matrix stiffness) const;
 
   /// The impedance matrix H(ω) = K − ω²M + jωG, Hermitian (Eq. 4).

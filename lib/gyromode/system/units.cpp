@@ -42,7 +42,8 @@ Units natural_units(const Vector& mass_diagonal, const Matrix& k1, const Matrix&
   }
   const int* first = exponents.data();
   const int* second = blocks ? first + k1.rows() : first;
-  const int rate2 = std::max({2 * largest_exponent(g, first, second, none / 2), largest_exponent(k1, first, first, none), largest_exponent(k2, second, second, none)});
+  const int rate2 = std::max({2 * largest_exponent(g, first, second, none / 2), largest_exponent(k1, first, first, none),
+                              largest_exponent(k2, second, second, none)});
   constexpr int most = 500;  // its square is a double, too
   if (rate2 > none) units.time = std::ldexp(1.0, std::clamp(-half_down(rate2), -most, most));
   return units;
@@ -58,7 +59,8 @@ void change_units_of(Matrix& a, const Vector& rows, const Vector& columns, doubl
       a.col(k).array() *= rows.array() * (factor * columns(k));
       continue;
     }
-    for (Index i = 0; i < a.rows(); ++i) a(i, k) = a(i, k) == 0 ? 0 : std::ldexp(a(i, k), std::ilogb(rows(i)) + std::ilogb(columns(k)) + std::ilogb(factor));
+    for (Index i = 0; i < a.rows(); ++i)
+      a(i, k) = a(i, k) == 0 ? 0 : std::ldexp(a(i, k), std::ilogb(rows(i)) + std::ilogb(columns(k)) + std::ilogb(factor));
   }
 }
 

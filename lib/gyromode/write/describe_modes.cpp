@@ -35,7 +35,8 @@ void describe_shapes(const Model& model, const std::vector<Mode>& modes, Writer&
     return row;
   };
   w.table(t);
-  if (shown < model.size()) w.paragraph(fmt::format("(the first {} of {} coordinates; all of them with --format json or csv)\n", shown, model.size()));
+  if (shown < model.size())
+    w.paragraph(fmt::format("(the first {} of {} coordinates; all of them with --format json or csv)\n", shown, model.size()));
 }
 
 // Shapes of all modes, then of all growing motions, as one block: a row each.
@@ -67,13 +68,19 @@ void describe(const Model& model, const ModesResult& r, Writer& w) {
   w.fact("structure.path", r.solver, "solver", r.solver);
   w.fact("stability", to_string(r.stability), "stability", stability_words(r.stability));
   describe_balance(r.index_balance, w);
-  w.fact("coverage", {{"status", to_string(c.status)}, {"window", bounds(c.window)}, {"requested", bounds(c.requested)}, {"found", c.found}, {"counted", c.counted ? Json(*c.counted) : Json(nullptr)}},
+  w.fact("coverage",
+         {{"status", to_string(c.status)},
+          {"window", bounds(c.window)},
+          {"requested", bounds(c.requested)},
+          {"found", c.found},
+          {"counted", c.counted ? Json(*c.counted) : Json(nullptr)}},
          "coverage", coverage_words(c));
   if (!c.reason.empty()) w.fact("coverage.reason", c.reason);
   if (c.interrupted) w.fact("interrupted", true);
   const bool shapes = !r.modes.empty() && r.modes.front().shape.size() > 0;
   const bool growing_shapes = !r.unstable.empty() && r.unstable.front().shape.size() > 0;
-  Table modes = modes_table(model, "modes", r.modes, w), unstable = unstable_table(model, r.unstable, w, w.for_csv() && (shapes || growing_shapes));
+  Table modes = modes_table(model, "modes", r.modes, w),
+        unstable = unstable_table(model, r.unstable, w, w.for_csv() && (shapes || growing_shapes));
   modes.csv = unstable.csv = true;
   w.table(modes);
   if (shapes) describe_shapes(model, r.modes, w);
@@ -85,14 +92,23 @@ void describe(const Model& model, const ModesResult& r, Writer& w) {
 void describe(const Model&, const CountResult& r, Writer& w) {
   w.fact("window", bounds(r.window), "window", window_words(r.window) + " rad/s");
   w.fact("requested", bounds(r.requested));
-  w.fact("count", r.count ? Json(*r.count) : Json(nullptr), "modes", r.count ? fmt::format("{}{}", *r.count, r.zero > 0 ? fmt::format(", {} of them at zero", r.zero) : "") : "not known");
-  w.fact("signed", r.signed_count, "signed", fmt::format("{} (n₋(H) = {} at the lower end, {} at the upper)", r.signed_count, r.negative[0], r.negative[1]));
+  w.fact("count", r.count ? Json(*r.count) : Json(nullptr), "modes",
+         r.count ? fmt::format("{}{}", *r.count, r.zero > 0 ? fmt::format(", {} of them at zero", r.zero) : "") : "not known");
+  w.fact("signed", r.signed_count, "signed",
+         fmt::format("{} (n₋(H) = {} at the lower end, {} at the upper)", r.signed_count, r.negative[0], r.negative[1]));
   w.fact("zero", r.zero);
   w.fact("negative", r.negative);
   w.fact("status", to_string(r.status), "status", std::string(to_string(r.status)));
-  w.table({"", "", {{"from"}, {"to"}, {"count"}, {"signed"}, {"zero"}, {"negative_from"}, {"negative_to"}, {"status"}}, 1, [&](Index) {
-             return std::vector<Cell>{{r.window.a}, {r.window.b}, {r.count ? Json(*r.count) : no_value}, {r.signed_count}, {r.zero}, {r.negative[0]}, {r.negative[1]}, {to_string(r.status)}};
-           }, true});
+  w.table({"",
+           "",
+           {{"from"}, {"to"}, {"count"}, {"signed"}, {"zero"}, {"negative_from"}, {"negative_to"}, {"status"}},
+           1,
+           [&](Index) {
+             return std::vector<Cell>{
+                 {r.window.a},    {r.window.b},         {r.count ? Json(*r.count) : no_value}, {r.signed_count}, {r.zero}, {r.negative[0]},
+                 {r.negative[1]}, {to_string(r.status)}};
+           },
+           true});
 }
 
 }  // namespace gyromode::io

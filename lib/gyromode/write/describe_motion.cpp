@@ -11,11 +11,26 @@ namespace gyromode::io {
 namespace {
 
 void describe_shares(const ResponseReport& r, Writer& w) {
-  Table t{"modal", "", {{"omega", "ω [rad/s]", "{:.15g}"}, {"amplitude", "amplitude", "{:.6g}"}, {"phase", "phase [rad]", "{:.6g}"}, {"energy", "energy", "{:.6g}"}, {"energy_sign"}, {"", "largest in"}, {"shape"}},
-          static_cast<Index>(r.modal.size()), {}};
+  Table t{"modal",
+          "",
+          {{"omega", "ω [rad/s]", "{:.15g}"},
+           {"amplitude", "amplitude", "{:.6g}"},
+           {"phase", "phase [rad]", "{:.6g}"},
+           {"energy", "energy", "{:.6g}"},
+           {"energy_sign"},
+           {"", "largest in"},
+           {"shape"}},
+          static_cast<Index>(r.modal.size()),
+          {}};
   t.row = [&](Index k) {
     const ModalShare& m = r.modal[static_cast<std::size_t>(k)];
-    return std::vector<Cell>{{m.omega}, {m.amplitude}, {m.phase}, {m.energy}, {m.energy_sign}, {nullptr, largest_in(r.labels, m.shape)}, {w.for_json() ? shape_json(r.labels, m.shape) : no_value}};
+    return std::vector<Cell>{{m.omega},
+                             {m.amplitude},
+                             {m.phase},
+                             {m.energy},
+                             {m.energy_sign},
+                             {nullptr, largest_in(r.labels, m.shape)},
+                             {w.for_json() ? shape_json(r.labels, m.shape) : no_value}};
   };
   w.table(t);
 }
@@ -49,7 +64,8 @@ std::string note(const FrequencyPoint& p) {
   if (!p.participation) return "";
   switch (p.driven) {
     case Driven::yes: return fmt::format("resonance, participation {:.2g}", *p.participation);
-    case Driven::undecided: return fmt::format("limit at a mode: whether it is driven cannot be told, participation {:.1g}", *p.participation);
+    case Driven::undecided:
+      return fmt::format("limit at a mode: whether it is driven cannot be told, participation {:.1g}", *p.participation);
     default: return "limit at a mode that is not driven";
   }
 }
@@ -58,7 +74,8 @@ void describe_points(const FrequencyReport& r, Writer& w) {
   constexpr std::size_t most_columns = 6;
   const std::size_t n = r.labels.size(), shown = std::min(n, most_columns);
   Table t{"points", "", {{"omega", "ω [rad/s]", "{:.10g}"}}, static_cast<Index>(r.response.points.size()), {}, true};
-  if (w.for_json()) t.columns.insert(t.columns.end(), {{"resonance"}, {"added"}, {"driven"}, {"participation"}, {"re"}, {"im"}});
+  if (w.for_json())
+    t.columns.insert(t.columns.end(), {{"resonance"}, {"added"}, {"driven"}, {"participation"}, {"re"}, {"im"}});
   else if (w.for_csv()) {
     t.columns.insert(t.columns.end(), {{"resonance"}, {"added"}});
     for (const std::string& label : r.labels) t.columns.insert(t.columns.end(), {{label + " re"}, {label + " im"}});
@@ -69,7 +86,8 @@ void describe_points(const FrequencyReport& r, Writer& w) {
   }
   t.row = [&, shown, json = w.for_json(), csv = w.for_csv()](Index k) {
     const FrequencyPoint& p = r.response.points[static_cast<std::size_t>(k)];
-    const Cell driven{p.participation && !p.added ? Json(to_string(p.driven)) : no_value}, participation{p.participation ? Json(*p.participation) : no_value};
+    const Cell driven{p.participation && !p.added ? Json(to_string(p.driven)) : no_value},
+        participation{p.participation ? Json(*p.participation) : no_value};
     std::vector<Cell> row{{p.omega}};
     if (json) {
       const Vector re = p.q.real(), im = p.q.imag();
@@ -77,10 +95,12 @@ void describe_points(const FrequencyReport& r, Writer& w) {
       row.insert(row.end(), {{p.resonance()}, {p.added}, driven, participation, {list(re)}, {list(im)}});
     } else if (csv) {
       row.insert(row.end(), {{p.resonance() ? 1 : 0}, {p.added ? 1 : 0}});
-      for (Index i = 0; i < static_cast<Index>(r.labels.size()); ++i) row.insert(row.end(), {{p.resonance() ? infinity : p.q(i).real()}, {p.resonance() ? Json(nullptr) : Json(p.q(i).imag())}});
+      for (Index i = 0; i < static_cast<Index>(r.labels.size()); ++i)
+        row.insert(row.end(), {{p.resonance() ? infinity : p.q(i).real()}, {p.resonance() ? Json(nullptr) : Json(p.q(i).imag())}});
       row.insert(row.end(), {driven, participation});
     } else {
-      for (std::size_t i = 0; i < shown; ++i) row.push_back(p.resonance() ? Cell{nullptr, "∞"} : Cell{std::abs(p.q(static_cast<Index>(i)))});
+      for (std::size_t i = 0; i < shown; ++i)
+        row.push_back(p.resonance() ? Cell{nullptr, "∞"} : Cell{std::abs(p.q(static_cast<Index>(i)))});
       row.push_back({nullptr, note(p)});
     }
     return row;
@@ -93,8 +113,10 @@ void describe_points(const FrequencyReport& r, Writer& w) {
 void describe(const Model&, const ResponseReport& r, Writer& w) {
   w.fact("stability", to_string(r.stability), "stability", stability_words(r.stability));
   w.fact("labels", r.labels);
-  w.fact("energy", {{"initial", r.initial_energy}, {"zero_roots", r.zero_energy}, {"growing_or_double_roots", r.remainder_energy}}, "energy",
-         fmt::format("{:.10g} at first; {:.6g} in zero roots, {:.6g} in growing motion and double roots, the rest in modes", r.initial_energy, r.zero_energy, r.remainder_energy));
+  w.fact("energy", {{"initial", r.initial_energy}, {"zero_roots", r.zero_energy}, {"growing_or_double_roots", r.remainder_energy}},
+         "energy",
+         fmt::format("{:.10g} at first; {:.6g} in zero roots, {:.6g} in growing motion and double roots, the rest in modes",
+                     r.initial_energy, r.zero_energy, r.remainder_energy));
   w.say("accuracy", fmt::format("{:.1e} of the motion at first; phases at the last time to {:.1e} rad", r.departure, r.phase_error));
   w.fact("departure", r.departure);
   w.fact("phase_error", r.phase_error);
@@ -109,7 +131,11 @@ void describe(const Model&, const FrequencyReport& r, Writer& w) {
   w.fact("labels", r.labels);
   w.fact("resonances", r.response.resonances());
   if (r.response.interrupted) w.fact("interrupted", true, "interrupted", "higher frequencies were not computed");
-  w.table({"modes", "", {{"omega"}, {"error_bound"}, {"driven"}, {"participation"}, {"resolution"}}, static_cast<Index>(r.response.modes.size()), [&](Index k) {
+  w.table({"modes",
+           "",
+           {{"omega"}, {"error_bound"}, {"driven"}, {"participation"}, {"resolution"}},
+           static_cast<Index>(r.response.modes.size()),
+           [&](Index k) {
              const DrivenMode& m = r.response.modes[static_cast<std::size_t>(k)];
              return std::vector<Cell>{{m.omega}, {m.error}, {to_string(m.driven)}, {m.participation}, {m.resolution}};
            }});

@@ -24,7 +24,8 @@ void describe_witness(const Model& model, const Structure& s, Writer& w) {
   if (!witness) return;
   Json kinds = Json::array();
   for (const CouplingKind k : witness->kinds) kinds.push_back(k == CouplingKind::cross ? "G" : "M or K");
-  w.fact("witness", labels_of(model.labels(), witness->coordinates), s.system_class() == SystemClass::hidden_quadrature ? "not visible" : "why not",
+  w.fact("witness", labels_of(model.labels(), witness->coordinates),
+         s.system_class() == SystemClass::hidden_quadrature ? "not visible" : "why not",
          witness->kinds.empty() || s.system_class() == SystemClass::quadrature ? "" : witness_words(model.labels(), *witness));
   w.fact("witness_couplings", std::move(kinds));
 }
@@ -32,7 +33,11 @@ void describe_witness(const Model& model, const Structure& s, Writer& w) {
 void describe_symmetries(const Model& model, const std::vector<SymmetryFinding>& findings, Writer& w) {
   Json all = Json::array();
   for (const SymmetryFinding& f : findings) {
-    Json one{{"labels", labels_of(model.labels(), f.coordinates)}, {"found", f.reflection.has_value()}, {"breach", f.departure}, {"threshold", f.threshold}, {"amplification", f.amplification}};
+    Json one{{"labels", labels_of(model.labels(), f.coordinates)},
+             {"found", f.reflection.has_value()},
+             {"breach", f.departure},
+             {"threshold", f.threshold},
+             {"amplification", f.amplification}};
     if (f.reflection) {
       const std::string words = in_words(*f.reflection, chosen(model.labels(), f.coordinates));
       one["in_words"] = words;
@@ -40,7 +45,8 @@ void describe_symmetries(const Model& model, const std::vector<SymmetryFinding>&
       w.say("symmetry", words);
       w.say("", fmt::format("commutes with K, anticommutes with G to {:.1e}, where rounding explains {:.1e}", f.departure, f.threshold));
     } else {
-      w.say("symmetry", fmt::format("none reverses the spin: the nearest reflection misses by {:.2g}, where rounding explains {:.1e}", f.departure, f.threshold));
+      w.say("symmetry", fmt::format("none reverses the spin: the nearest reflection misses by {:.2g}, where rounding explains {:.1e}",
+                                    f.departure, f.threshold));
     }
     all.push_back(std::move(one));
   }
@@ -57,7 +63,11 @@ void tabulate_components(const Model& model, const Structure& s, Writer& w) {
   if (s.components.size() < 2) return;
   w.table({"", "", {{"", "component"}, {"", "coordinates"}, {"", "class"}}, static_cast<Index>(s.components.size()), [&](Index k) {
              const Component& c = s.components[static_cast<std::size_t>(k)];
-             return std::vector<Cell>{{k + 1}, {joined(model.labels(), c.coordinates)}, {c.quadrature() ? "quadrature" : c.hidden_quadrature() ? "hidden quadrature" : "general"}};
+             return std::vector<Cell>{{k + 1},
+                                      {joined(model.labels(), c.coordinates)},
+                                      {c.quadrature()          ? "quadrature"
+                                       : c.hidden_quadrature() ? "hidden quadrature"
+                                                               : "general"}};
            }});
 }
 
@@ -71,15 +81,22 @@ Json json_of(const std::vector<std::pair<std::string, double>>& numbers) {
 
 void describe_booms(const StructureReport& r, Writer& w) {
   if (!r.clamped_booms.empty()) {
-    w.table({"held_booms", "", {{"name", "boom on a body held"}, {"omega", "ω [rad/s]"}}, static_cast<Index>(r.clamped_booms.size()), [&](Index k) {
+    w.table({"held_booms",
+             "",
+             {{"name", "boom on a body held"}, {"omega", "ω [rad/s]"}},
+             static_cast<Index>(r.clamped_booms.size()),
+             [&](Index k) {
                const ClampedBoom& b = r.clamped_booms[static_cast<std::size_t>(k)];
                return std::vector<Cell>{{b.name}, {b.frequencies, fmt::format("{:.6g}", fmt::join(b.frequencies, "  "))}};
              }});
   }
   if (r.effective_axes.empty()) return;
   w.table({"effective_axes",
-           "ψ: from axis 1 to the principal axis of the effective inertia of hub and booms at the frequency of each mode;\n   about it rotations are in phase, across it in quadrature",
-           {{"omega", "ω [rad/s]", "{:.10g}"}, {"psi", "ψ [°]"}}, static_cast<Index>(r.effective_axes.size()), [&](Index k) {
+           "ψ: from axis 1 to the principal axis of the effective inertia of hub and booms at the frequency of each mode;\n   about it "
+           "rotations are in phase, across it in quadrature",
+           {{"omega", "ω [rad/s]", "{:.10g}"}, {"psi", "ψ [°]"}},
+           static_cast<Index>(r.effective_axes.size()),
+           [&](Index k) {
              const EffectiveAxes& e = r.effective_axes[static_cast<std::size_t>(k)];
              return std::vector<Cell>{{e.omega}, {e.angle, fmt::format("{:.8g}", e.angle * 180 / std::numbers::pi)}};
            }});
@@ -110,11 +127,19 @@ void describe_impedance(const Model& model, const RealifiedAt& r, Writer& w) {
   tabulate(fmt::format("H({:.6g} rad/s)", r.omega), model.labels(), at.impedance, w);
   tabulate("U", model.labels(), at.unitary, w);
   tabulate("H* = UᴴHU", model.labels(), at.real_symmetric.cast<Complex>(), w);
-  w.fact("at", {{"omega", r.omega}, {"H", complex_rows(at.impedance)}, {"transformation", complex_rows(at.unitary)}, {"H_star", rows_of(at.real_symmetric)}, {"by", to_string(at.how)},
-                {"negative", at.negative()}, {"determinant_sign", sign}});
+  w.fact("at", {{"omega", r.omega},
+                {"H", complex_rows(at.impedance)},
+                {"transformation", complex_rows(at.unitary)},
+                {"H_star", rows_of(at.real_symmetric)},
+                {"by", to_string(at.how)},
+                {"negative", at.negative()},
+                {"determinant_sign", sign}});
   if (at.angle) w.fact("at.psi", *at.angle);
   w.say("U", how_words(at));
-  w.say("n₋(H)", fmt::format("{}; det H is {}", at.negative(), sign > 0 ? "positive" : sign < 0 ? "negative" : "zero to rounding: a resonance"));
+  w.say("n₋(H)", fmt::format("{}; det H is {}", at.negative(),
+                             sign > 0   ? "positive"
+                             : sign < 0 ? "negative"
+                                        : "zero to rounding: a resonance"));
 }
 
 // A row a coordinate: its component and its group.
@@ -123,12 +148,21 @@ void tabulate_groups(const Model& model, const Structure& s, Writer& w) {
   for (std::size_t c = 0; c < s.components.size(); ++c) {
     for (const Index i : s.components[c].coordinates) places.emplace_back(i, c);
   }
-  w.table({"", "", {{"coordinate"}, {"component"}, {"group"}}, static_cast<Index>(places.size()), [&](Index k) {
+  w.table({"",
+           "",
+           {{"coordinate"}, {"component"}, {"group"}},
+           static_cast<Index>(places.size()),
+           [&](Index k) {
              const auto [i, c] = places[static_cast<std::size_t>(k)];
              const std::vector<Index>& q = s.components[c].in_quadrature;
              const bool second = std::find(q.begin(), q.end(), i) != q.end();
-             return std::vector<Cell>{{model.labels()[static_cast<std::size_t>(i)]}, {c + 1}, {!s.components[c].quadrature() ? "mixed" : second ? "quadrature" : "in_phase"}};
-           }, true});
+             return std::vector<Cell>{{model.labels()[static_cast<std::size_t>(i)]},
+                                      {c + 1},
+                                      {!s.components[c].quadrature() ? "mixed"
+                                       : second                      ? "quadrature"
+                                                                     : "in_phase"}};
+           },
+           true});
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ namespace {
 using namespace io;
 
 template <class Result>
-std::string written(std::string_view kind, const Model& model, const Result& result, const Timings& timings, Format format, int version = 1) {
+std::string written(std::string_view kind, const Model& model, const Result& result, const Timings& timings, Format format,
+                    int version = 1) {
   const std::unique_ptr<Writer> w = writer(kind, model, timings, format, version);
   describe(model, result, *w);
   return w->text();
@@ -39,10 +40,20 @@ std::string written(std::string_view kind, const Model& model, const Result& res
 std::string document(const Model& model, const ModesResult& result, const Timings& timings, Format format, int version) {
   return format == Format::svg ? modes_svg(model, result) : written("modes", model, result, timings, format, version);
 }
-std::string document(const Model& model, const CountResult& result, const Timings& timings, Format format) { return written("count", model, result, timings, format); }
-std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format) { return written("structure", model, report, timings, format); }
-std::string document(const Model& model, const StabilityReport& report, const Timings& timings, Format format) { return written("stability", model, report, timings, format); }
-std::string document(const Model& model, const ResponseReport& report, const Timings& timings, Format format) { return written("response", model, report, timings, format); }
-std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, Format format) { return written("frequency_response", model, report, timings, format); }
+std::string document(const Model& model, const CountResult& result, const Timings& timings, Format format) {
+  return written("count", model, result, timings, format);
+}
+std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format) {
+  return written("structure", model, report, timings, format);
+}
+std::string document(const Model& model, const StabilityReport& report, const Timings& timings, Format format) {
+  return written("stability", model, report, timings, format);
+}
+std::string document(const Model& model, const ResponseReport& report, const Timings& timings, Format format) {
+  return written("response", model, report, timings, format);
+}
+std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, Format format) {
+  return written("frequency_response", model, report, timings, format);
+}
 
 }  // namespace gyromode

@@ -19,12 +19,13 @@ Format format_for(const std::filesystem::path& file);
 
 /// Seconds spent.
 struct Timings {
-  double read = 0;  ///< of the model
+  double read = 0;   ///< of the model
   double solve = 0;  ///< of the answer
 };
 
-/// A result as text in the format asked for; svg, a picture of the shapes, is for the modes of a spacecraft with shapes. JSON follows the public schemas (docs/results.md), 17 significant digits where needed.
-/// `version` of the schema gyromode/modes: 1, a shape with each mode; 2, shapes and displacements of all modes as one block.
+/// A result as text in the format asked for; svg, a picture of the shapes, is for the modes of a spacecraft with
+/// shapes. JSON follows the public schemas (docs/results.md), 17 significant digits where needed. `version` of the
+/// schema gyromode/modes: 1, a shape with each mode; 2, shapes and displacements of all modes as one block.
 std::string document(const Model& model, const ModesResult& result, const Timings& timings, Format format, int version = 1);
 std::string document(const Model& model, const CountResult& result, const Timings& timings, Format format);
 std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format);

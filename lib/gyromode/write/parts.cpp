@@ -84,23 +84,52 @@ void describe_class(const Model& model, const Structure& s, const InertiaOfK& k,
 }
 
 void describe_balance(const IndexBalance& b, Writer& w) {
-  w.fact("index_balance", {{"negative", b.negative}, {"real_pairs", b.real_pairs}, {"quadruples", b.quadruples}, {"negative_energy", b.negative_energy},
-                           {"zero", b.zero}, {"zero_negative", b.zero_negative}, {"closed", b.closed}});
+  w.fact("index_balance", {{"negative", b.negative},
+                           {"real_pairs", b.real_pairs},
+                           {"quadruples", b.quadruples},
+                           {"negative_energy", b.negative_energy},
+                           {"zero", b.zero},
+                           {"zero_negative", b.zero_negative},
+                           {"closed", b.closed}});
 }
 
 Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w) {
-  Table t{std::move(key), "",
-          {{"", "#"}, {"omega", "ω [rad/s]", "{:.15g}"}, {"frequency_hz", "f [Hz]", "{:.10g}"}, {"growth_rate", "", "", Column::In::csv}, {"kind", ""}, {"energy_sign", "energy"}, {"multiplicity", ""},
-           {"residual", "residual", "{:.1e}"}, {"error_bound", ""}, {"", "kind"}, {"cluster", "", "", Column::In::json}, {"bracket", "", "", Column::In::json},
-           {"shape", "", "", Column::In::json}, {"displacements", "", "", Column::In::json}},
-          static_cast<Index>(modes.size()), {}};
+  Table t{std::move(key),
+          "",
+          {{"", "#"},
+           {"omega", "ω [rad/s]", "{:.15g}"},
+           {"frequency_hz", "f [Hz]", "{:.10g}"},
+           {"growth_rate", "", "", Column::In::csv},
+           {"kind", ""},
+           {"energy_sign", "energy"},
+           {"multiplicity", ""},
+           {"residual", "residual", "{:.1e}"},
+           {"error_bound", ""},
+           {"", "kind"},
+           {"cluster", "", "", Column::In::json},
+           {"bracket", "", "", Column::In::json},
+           {"shape", "", "", Column::In::json},
+           {"displacements", "", "", Column::In::json}},
+          static_cast<Index>(modes.size()),
+          {}};
   const bool flat = w.for_csv() && !modes.empty() && modes.front().shape.size() > 0, nested = w.for_json() && w.version() == 1;
   if (flat) add_shape_columns(model.labels(), t);
   t.row = [&model, &modes, flat, nested](Index k) {
     const Mode& m = modes[static_cast<std::size_t>(k)];
-    std::vector<Cell> row{{k + 1, ""}, {m.omega, ""}, {hertz(m.omega), ""}, {0, ""}, {to_string(m.kind), ""}, {m.energy_sign, sign_words(m.energy_sign)}, {m.multiplicity, ""},
-                          {m.residual, ""}, {m.error_bound, ""}, {to_string(m.kind), ""}, {m.cluster > 1 ? Json(m.cluster) : no_value, ""}, {m.bracket ? Json(*m.bracket) : no_value, ""},
-                          {nested ? shape_json(model.labels(), m.shape) : no_value, ""}, {nested ? displacements(m.field) : no_value, ""}};
+    std::vector<Cell> row{{k + 1, ""},
+                          {m.omega, ""},
+                          {hertz(m.omega), ""},
+                          {0, ""},
+                          {to_string(m.kind), ""},
+                          {m.energy_sign, sign_words(m.energy_sign)},
+                          {m.multiplicity, ""},
+                          {m.residual, ""},
+                          {m.error_bound, ""},
+                          {to_string(m.kind), ""},
+                          {m.cluster > 1 ? Json(m.cluster) : no_value, ""},
+                          {m.bracket ? Json(*m.bracket) : no_value, ""},
+                          {nested ? shape_json(model.labels(), m.shape) : no_value, ""},
+                          {nested ? displacements(m.field) : no_value, ""}};
     if (flat) add_shape(model.labels(), m.shape, row);
     return row;
   };
@@ -108,18 +137,39 @@ Table modes_table(const Model& model, std::string key, const std::vector<Mode>& 
 }
 
 Table unstable_table(const Model& model, const std::vector<UnstableMode>& modes, const Writer& w, bool shapes_in_csv) {
-  Table t{"unstable", "",
-          {{"growth_rate", "growth rate [1/s]", "{:.15g}", Column::In::json}, {"omega", "ω [rad/s]", "{:.15g}"}, {"frequency_hz", "", "", Column::In::csv}, {"growth_rate", "", "", Column::In::csv},
-           {"kind", ""}, {"energy_sign", "", "", Column::In::csv}, {"multiplicity", "", "", Column::In::csv}, {"residual", "residual"}, {"error_bound", "error bound"}, {"", "kind"}, {"", !modes.empty() && modes.front().shape.size() > 0 ? "largest in" : ""},
+  Table t{"unstable",
+          "",
+          {{"growth_rate", "growth rate [1/s]", "{:.15g}", Column::In::json},
+           {"omega", "ω [rad/s]", "{:.15g}"},
+           {"frequency_hz", "", "", Column::In::csv},
+           {"growth_rate", "", "", Column::In::csv},
+           {"kind", ""},
+           {"energy_sign", "", "", Column::In::csv},
+           {"multiplicity", "", "", Column::In::csv},
+           {"residual", "residual"},
+           {"error_bound", "error bound"},
+           {"", "kind"},
+           {"", !modes.empty() && modes.front().shape.size() > 0 ? "largest in" : ""},
            {"shape", "", "", Column::In::json}},
-          static_cast<Index>(modes.size()), {}};
+          static_cast<Index>(modes.size()),
+          {}};
   const bool nested = w.for_json() && w.version() == 1;
   if (shapes_in_csv) add_shape_columns(model.labels(), t);
   t.row = [&model, &modes, shapes_in_csv, nested](Index k) {
     const UnstableMode& u = modes[static_cast<std::size_t>(k)];
     const char* kind = u.flutter() ? "flutter" : "divergence";
-    std::vector<Cell> row{{u.growth_rate, ""}, {u.omega, ""}, {hertz(u.omega), ""}, {u.growth_rate, ""}, {kind, ""}, {nullptr, ""}, {1, ""}, {u.residual, measured(u.residual)},
-                          {u.error_bound, measured(u.error_bound)}, {kind, ""}, {nullptr, largest_in(model.labels(), u.shape)}, {nested ? shape_json(model.labels(), u.shape) : no_value, ""}};
+    std::vector<Cell> row{{u.growth_rate, ""},
+                          {u.omega, ""},
+                          {hertz(u.omega), ""},
+                          {u.growth_rate, ""},
+                          {kind, ""},
+                          {nullptr, ""},
+                          {1, ""},
+                          {u.residual, measured(u.residual)},
+                          {u.error_bound, measured(u.error_bound)},
+                          {kind, ""},
+                          {nullptr, largest_in(model.labels(), u.shape)},
+                          {nested ? shape_json(model.labels(), u.shape) : no_value, ""}};
     if (shapes_in_csv) add_shape(model.labels(), u.shape, row);
     return row;
   };

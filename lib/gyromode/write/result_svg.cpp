@@ -22,10 +22,14 @@ constexpr View above{0, 1, "from above (axes 1, 2)"};
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '&') out += "&amp;";
-    else out += c;
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else
+      out += c;
   }
   return out;
 }
@@ -70,8 +74,9 @@ class Frame {
     return fmt::format("<polyline points=\"{}\" class=\"{}\"/>\n", at, style);
   }
   std::string body() const {
-    return view_.vertical == 2 ? fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"14\" height=\"10\" class=\"body\"/>\n", x_ - 7, y_ - 5)
-                               : fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"7\" class=\"body\"/>\n", x_, y_);
+    return view_.vertical == 2
+               ? fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"14\" height=\"10\" class=\"body\"/>\n", x_ - 7, y_ - 5)
+               : fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"7\" class=\"body\"/>\n", x_, y_);
   }
 
  private:
@@ -95,7 +100,8 @@ std::string drawn(const ModesResult& r, const Mode& m, const View& view, double 
   const double largest = largest_displacement(m);
   const double size = largest > 0 ? shown * reach / largest : 0;
   const Frame frame(view, left, top, reach);
-  std::string out = fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"frame\"/>\n", left, top, view_width, view_height);
+  std::string out = fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"frame\"/>\n", left, top,
+                                view_width, view_height);
   out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"note\">{}</text>\n", left + 8, top + 16, view.name);
   for (std::size_t i = 0; i < r.outlines.size(); ++i) {
     out += frame.line(r.outlines[i].points, "rest");
@@ -117,21 +123,29 @@ std::string modes_svg(const Model& model, const ModesResult& r) {
   const double row = view_height + caption;
   const double head = 70;
   const double height = head + row * static_cast<double>(pictured.size()) + gap;
-  std::string out = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\">\n", width, height);
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\">\n", width, height);
   out +=
-      "<style>text{font-family:Helvetica,Arial,sans-serif;fill:#222}.title{font-size:20px;font-weight:bold}.caption{font-size:15px}.note{font-size:12px;fill:#777}"
-      "polyline{fill:none;stroke-width:2;stroke-linejoin:round}.rest{stroke:#bbb;stroke-width:1.2;fill:none}.now{stroke:#1f5fa8;fill:none}.quarter{stroke:#d9822b;fill:none}"
+      "<style>text{font-family:Helvetica,Arial,sans-serif;fill:#222}.title{font-size:20px;font-weight:bold}.caption{font-size:15px}.note{"
+      "font-size:12px;fill:#777}"
+      "polyline{fill:none;stroke-width:2;stroke-linejoin:round}.rest{stroke:#bbb;stroke-width:1.2;fill:none}.now{stroke:#1f5fa8;fill:none}."
+      "quarter{stroke:#d9822b;fill:none}"
       ".mass.now{fill:#1f5fa8}.mass.quarter{fill:#d9822b}.body{fill:#444}.frame{fill:#fff;stroke:#ddd}</style>\n";
   out += fmt::format("<rect width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#fff\"/>\n", width, height);
   out += fmt::format("<text x=\"{:.0f}\" y=\"30\" class=\"title\">{}</text>\n", gap, escaped(model.title));
-  out += fmt::format("<text x=\"{:.0f}\" y=\"52\" class=\"note\">axes that turn with the body; <tspan fill=\"#1f5fa8\">blue: t = 0</tspan>, <tspan fill=\"#d9822b\">orange: a quarter of a period later</tspan>, grey: at rest; "
-                     "sizes of the motions are not to scale</text>\n",
-                     gap);
+  out += fmt::format(
+      "<text x=\"{:.0f}\" y=\"52\" class=\"note\">axes that turn with the body; <tspan fill=\"#1f5fa8\">blue: t = 0</tspan>, <tspan "
+      "fill=\"#d9822b\">orange: a quarter of a period later</tspan>, grey: at rest; "
+      "sizes of the motions are not to scale</text>\n",
+      gap);
   double top = head;
   for (const Mode* m : pictured) {
     const auto number = m - r.modes.data() + 1;
-    const std::string kind = m->kind == ModeKind::vibration ? "" : m->kind == ModeKind::local ? " — booms alone, the body rests" : " — tilt of the momentum axis, rigid";
-    out += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" class=\"caption\">mode {}:  ω = {:.8g} rad/s,  {:.6g} Hz{}</text>\n", gap, top + 20, number, m->omega, m->omega / (2 * std::numbers::pi), kind);
+    const std::string kind = m->kind == ModeKind::vibration ? ""
+                             : m->kind == ModeKind::local   ? " — booms alone, the body rests"
+                                                            : " — tilt of the momentum axis, rigid";
+    out += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" class=\"caption\">mode {}:  ω = {:.8g} rad/s,  {:.6g} Hz{}</text>\n", gap, top + 20,
+                       number, m->omega, m->omega / (2 * std::numbers::pi), kind);
     out += drawn(r, *m, above, gap, top + 30);
     out += drawn(r, *m, side, 2 * gap + view_width, top + 30);
     top += row;

@@ -28,12 +28,14 @@ std::string model_words(const Model& model) {
 
 std::string class_words(const Model& model, const Structure& s) {
   if (model.body->transcendental()) {
-    return fmt::format("transcendental (exact booms), {}", s.system_class() == SystemClass::quadrature ? "quadrature: every mode moves partly in phase, partly in quadrature"
-                                                                                                         : "fully complex: phases differ from mode to mode");
+    return fmt::format("transcendental (exact booms), {}", s.system_class() == SystemClass::quadrature
+                                                               ? "quadrature: every mode moves partly in phase, partly in quadrature"
+                                                               : "fully complex: phases differ from mode to mode");
   }
   switch (s.system_class()) {
     case SystemClass::quadrature: return "quadrature: every mode moves partly in phase, partly in quadrature";
-    case SystemClass::hidden_quadrature: return "hidden quadrature: in phase and in quadrature in other coordinates, by a reversing symmetry";
+    case SystemClass::hidden_quadrature:
+      return "hidden quadrature: in phase and in quadrature in other coordinates, by a reversing symmetry";
     default: return "general: phases differ from mode to mode";
   }
 }
@@ -47,7 +49,8 @@ std::string stiffness_words(const InertiaOfK& k) {
 std::string stability_words(Stability s) {
   switch (s) {
     case Stability::stable: return "stable";
-    case Stability::gyroscopically_stabilised: return "gyroscopically stabilised: stable without damping, but some modes have negative energy and damping destabilises them";
+    case Stability::gyroscopically_stabilised:
+      return "gyroscopically stabilised: stable without damping, but some modes have negative energy and damping destabilises them";
     case Stability::marginal: return "marginal: a backward error of rounding size changes the verdict";
     case Stability::unstable: return "unstable";
     default: return "unknown: the index balance does not close";
@@ -59,8 +62,9 @@ std::string window_words(const Window& w) {
 }
 
 std::string balance_words(const IndexBalance& b) {
-  return fmt::format("{}: n₋(K) = {} = {} divergent + 2·{} flutter + 2·{} of negative energy{}", b.closed ? "closed" : "NOT closed", b.negative, b.real_pairs,
-                     b.quadruples, b.negative_energy, b.zero_negative > 0 ? fmt::format(" + {} at zero", b.zero_negative) : "");
+  return fmt::format("{}: n₋(K) = {} = {} divergent + 2·{} flutter + 2·{} of negative energy{}", b.closed ? "closed" : "NOT closed",
+                     b.negative, b.real_pairs, b.quadruples, b.negative_energy,
+                     b.zero_negative > 0 ? fmt::format(" + {} at zero", b.zero_negative) : "");
 }
 
 std::string coverage_words(const Coverage& c) {

@@ -19,7 +19,8 @@ class JsonWriter : public Writer {
  public:
   JsonWriter(std::string_view kind, const Model& model, const Timings& timings, int version) : Writer(Format::json, version) {
     root_["schema"] = fmt::format("gyromode/{}/{}", kind, version);
-    root_["model"] = {{"title", model.title}, {"sha256", model.sha256}, {"coordinates", model.size()}, {"kind", model.kind}, {"frame", "turning"}};
+    root_["model"] = {
+        {"title", model.title}, {"sha256", model.sha256}, {"coordinates", model.size()}, {"kind", model.kind}, {"frame", "turning"}};
     if (model.ignored) root_["model"]["couplings_left_out"] = {{"up_to", model.ignored->tolerance}, {"largest", model.ignored->largest}};
     root_["versions"] = {{"gyromode", gyromode::version()}, {"blas", lapack::library()}};
     root_["timings"] = {{"read_s", timings.read}, {"solve_s", timings.solve}};
@@ -36,7 +37,8 @@ class JsonWriter : public Writer {
       std::vector<Cell> cells = t.row(k);
       for (std::size_t c = 0; c < cells.size(); ++c) {
         const Column& column = t.columns[c];
-        if (!column.key.empty() && column.in != Column::In::csv && !cells[c].value.is_discarded()) row[column.key] = std::move(cells[c].value);
+        if (!column.key.empty() && column.in != Column::In::csv && !cells[c].value.is_discarded())
+          row[column.key] = std::move(cells[c].value);
       }
       rows.push_back(std::move(row));
     }
@@ -86,9 +88,12 @@ class CsvWriter : public Writer {
  private:
   void add(const Json& v) {
     if (v.is_null() || v.is_discarded()) return;
-    if (v.is_string()) text_ += csv_field(v.get_ref<const std::string&>());
-    else if (v.is_number_float()) text_ += std::isnan(v.get<double>()) ? std::string() : fmt::format("{}", v.get<double>());
-    else text_ += v.dump();
+    if (v.is_string())
+      text_ += csv_field(v.get_ref<const std::string&>());
+    else if (v.is_number_float())
+      text_ += std::isnan(v.get<double>()) ? std::string() : fmt::format("{}", v.get<double>());
+    else
+      text_ += v.dump();
   }
 
   std::string text_;
@@ -104,8 +109,10 @@ class TextWriter : public Writer {
   void fact(std::string_view, Json, std::string_view heading, const std::string& words) override {
     if (words.empty()) return;
     part(!in_facts_);
-    if (markdown_) text_ += heading.empty() ? fmt::format("  {}\n", words) : fmt::format("- **{}**: {}\n", heading, words);
-    else text_ += fmt::format("{:<11} {}\n", heading, words);
+    if (markdown_)
+      text_ += heading.empty() ? fmt::format("  {}\n", words) : fmt::format("- **{}**: {}\n", heading, words);
+    else
+      text_ += fmt::format("{:<11} {}\n", heading, words);
     in_facts_ = true;
   }
   void table(const Table& t) override {

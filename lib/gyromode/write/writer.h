@@ -15,13 +15,14 @@ namespace gyromode::io {
 
 using Json = nlohmann::ordered_json;
 
-/// A column of a table: the key that its values have for programs, the heading with unit and the digits that people see.
+/// A column of a table: the key that its values have for programs, the heading with unit and the digits that people
+/// see.
 struct Column {
   enum class In { both, json, csv };
-  std::string key;             ///< empty: for people only
-  std::string heading = {};    ///< empty: for programs only
-  std::string digits = "{}";   ///< of numbers, as fmt writes them
-  In in = In::both;            ///< which programs
+  std::string key;            ///< empty: for people only
+  std::string heading = {};   ///< empty: for programs only
+  std::string digits = "{}";  ///< of numbers, as fmt writes them
+  In in = In::both;           ///< which programs
 };
 
 /// A value; `discarded` where there is none. Numbers that are not finite are null in JSON.
@@ -33,12 +34,12 @@ inline const Json no_value = Json(Json::value_t::discarded);
 
 /// Rows of one kind, made when they are asked for.
 struct Table {
-  std::string key;     ///< of the array in JSON; empty: not there
-  std::string title;   ///< a line above, for people; may be empty
+  std::string key;    ///< of the array in JSON; empty: not there
+  std::string title;  ///< a line above, for people; may be empty
   std::vector<Column> columns;
   Index size = 0;
   std::function<std::vector<Cell>(Index row)> row = {};
-  bool csv = false;    ///< the rows are (among) those of the CSV document
+  bool csv = false;  ///< the rows are (among) those of the CSV document
 };
 
 /// A document is described once, by calls to this; what comes of it is a table, Markdown, JSON or CSV.

@@ -88,9 +88,10 @@ void solve_symmetric_2n(const SecondOrder& m, Spectrum& s) {
   const StiffnessInertia d = inertia_of_k(m.stiffness);
   s.store_stiffness(d);
   if (d.definiteness() != Definiteness::positive) {
-    throw NotApplicable(fmt::format("method 'symmetric-2n' (Meirovitch 1974) needs K positive definite: K has {} negative and {} zero eigenvalues; 'auto' "
-                                         "applies",
-                                         d.negative, d.zero));
+    throw NotApplicable(
+        fmt::format("method 'symmetric-2n' (Meirovitch 1974) needs K positive definite: K has {} negative and {} zero eigenvalues; 'auto' "
+                    "applies",
+                    d.negative, d.zero));
   }
   Matrix m_star = Matrix::Zero(2 * n, 2 * n);
   m_star.topLeftCorner(n, n) = m.mass;

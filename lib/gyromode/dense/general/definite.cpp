@@ -9,8 +9,9 @@ namespace gyromode::dense {
 
 namespace {
 
-// D b = ω a for the bidiagonal D of T: rows 0, 2, … and columns 1, 3, … of T, T = [0 D; −Dᵀ 0] after that permutation. An odd order is
-// padded with a row of zeros. Dᵀ is upper bidiagonal: Dᵀ = U ω Vᵀ, so b is U and a is V, the largest ω first.
+// D b = ω a for the bidiagonal D of T: rows 0, 2, … and columns 1, 3, … of T, T = [0 D; −Dᵀ 0] after that permutation.
+// An odd order is padded with a row of zeros. Dᵀ is upper bidiagonal: Dᵀ = U ω Vᵀ, so b is U and a is V, the largest ω
+// first.
 lapack::SingularValues halved(const Vector& beta, Index order) {
   const Index m = (order + 1) / 2;
   Vector diagonal = Vector::Zero(m);
@@ -24,7 +25,8 @@ lapack::SingularValues halved(const Vector& beta, Index order) {
 
 // Every second column of x, `count` of them from `start` on, without a copy.
 auto every_second(const Matrix& x, Index start, Index count) {
-  return Eigen::Map<const Matrix, 0, Eigen::OuterStride<>>(x.data() + start * x.rows(), x.rows(), count, Eigen::OuterStride<>(2 * x.rows()));
+  return Eigen::Map<const Matrix, 0, Eigen::OuterStride<>>(x.data() + start * x.rows(), x.rows(), count,
+                                                           Eigen::OuterStride<>(2 * x.rows()));
 }
 
 }  // namespace
@@ -42,7 +44,8 @@ ComplexModes definite_modes(const Matrix& gamma, const Matrix& f) {
   q2.rightCols(n).setIdentity();
   lapack::multiply_right(q2, t.q());
   const Index m = svd.values.size();
-  ComplexModes modes{svd.values.reverse(), lapack::multiply(every_second(q2, 1, m), svd.u), lapack::multiply_nt(every_second(q2, 0, m), svd.vt)};
+  ComplexModes modes{svd.values.reverse(), lapack::multiply(every_second(q2, 1, m), svd.u),
+                     lapack::multiply_nt(every_second(q2, 0, m), svd.vt)};
   const Vector inverse = svd.values.cwiseInverse();
   modes.re *= inverse.asDiagonal();
   modes.im *= (-inverse).asDiagonal();

@@ -14,8 +14,9 @@ namespace gyromode::dense {
 
 namespace {
 
-// A limit below `limit` that tears no pair or quadruple (roots of equal modulus) apart: the middle of the widest gap within a factor 10 below it, if it is wide enough, or of one farther down that is wider than a factor
-// of 100, as between the fast and the slow motions of a strong spin; 0 where there is none.
+// A limit below `limit` that tears no pair or quadruple (roots of equal modulus) apart: the middle of the widest gap
+// within a factor 10 below it, if it is wide enough, or of one farther down that is wider than a factor of 100, as
+// between the fast and the slow motions of a strong spin; 0 where there is none.
 double gap_below(const ComplexVector& lambda, double limit) {
   std::vector<double> moduli;
   for (const Complex& z : lambda) moduli.push_back(std::abs(z));
@@ -49,7 +50,8 @@ std::vector<std::pair<Index, Index>> real_pairs(const ComplexVector& lambda, con
   for (const Index i : positive) {
     auto partner = negative.empty() ? negative.end() : negative.begin();
     if (positive.size() != negative.size() + pairs.size()) {  // one of a pair is elsewhere: the nearest
-      partner = std::min_element(negative.begin(), negative.end(), [&](Index a, Index b) { return std::abs(lambda(a) + lambda(i)) < std::abs(lambda(b) + lambda(i)); });
+      partner = std::min_element(negative.begin(), negative.end(),
+                                 [&](Index a, Index b) { return std::abs(lambda(a) + lambda(i)) < std::abs(lambda(b) + lambda(i)); });
     }
     if (partner == negative.end()) {
       pairs.emplace_back(i, i);
@@ -85,8 +87,9 @@ void expand(const Matrix& basis, std::vector<EvenRoot>& roots) {
   }
 }
 
-// A double real root comes from rounding as two real roots or as a conjugate pair beside the axis, and its mirror image may come as the other. A pair to rounding, λ and λ̄ side by side, is made two real roots with the
-// real and the imaginary part of the vector, which span the same.
+// A double real root comes from rounding as two real roots or as a conjugate pair beside the axis, and its mirror image
+// may come as the other. A pair to rounding, λ and λ̄ side by side, is made two real roots with the real and the
+// imaginary part of the vector, which span the same.
 struct PlainRoots {
   ComplexVector lambda;
   ComplexMatrix w;
@@ -108,9 +111,11 @@ std::optional<PlainRoots> with_double_roots_real(const ComplexVector& lambda, co
   return changed;
 }
 
-// One level: `p` is `whole` on the span of `basis` (`whole` itself where that is empty), λ and w its plain eigenpairs. Roots far below the largest are taken again in a basis of their span, on which the whole pencil is
-// projected, not this one: what is small in it keeps its digits.
-std::vector<EvenRoot> roots_of(const EvenPencil& whole, const EvenPencil& p, const Matrix& basis, const ComplexVector& plain_lambda, const ComplexMatrix& plain_w, int depth) {
+// One level: `p` is `whole` on the span of `basis` (`whole` itself where that is empty), λ and w its plain eigenpairs.
+// Roots far below the largest are taken again in a basis of their span, on which the whole pencil is projected, not
+// this one: what is small in it keeps its digits.
+std::vector<EvenRoot> roots_of(const EvenPencil& whole, const EvenPencil& p, const Matrix& basis, const ComplexVector& plain_lambda,
+                               const ComplexMatrix& plain_w, int depth) {
   constexpr double small_ratio = 1e-3;  // down to here shapes have the residual of rounding, to several hundred ε
   constexpr int deepest = 12;
   if (plain_lambda.size() == 0) return {};
@@ -185,6 +190,8 @@ EvenPencil EvenPencil::projected(const Matrix& v) const {
   return {0.5 * (s - s.transpose()), 0.5 * (e + e.transpose())};
 }
 
-std::vector<EvenRoot> roots_of(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w) { return roots_of(p, p, Matrix(), lambda, w, 0); }
+std::vector<EvenRoot> roots_of(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w) {
+  return roots_of(p, p, Matrix(), lambda, w, 0);
+}
 
 }  // namespace gyromode::dense

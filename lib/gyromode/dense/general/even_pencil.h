@@ -7,7 +7,8 @@
 
 namespace gyromode::dense {
 
-/// 𝒮 ẇ = −𝓔 w of even order, real, 𝒮 skew and 𝓔 symmetric (theory §3c): either of z̈ + Γż + kz = 0, w = (z, ż), 𝒮 = [Γ 1; −1 0], 𝓔 = diag(k, 1), of which only Γ and k are stored, or any.
+/// 𝒮 ẇ = −𝓔 w of even order, real, 𝒮 skew and 𝓔 symmetric (theory §3c): either of z̈ + Γż + kz = 0, w = (z, ż), 𝒮 = [Γ
+/// 1; −1 0], 𝓔 = diag(k, 1), of which only Γ and k are stored, or any.
 class EvenPencil {
  public:
   static EvenPencil of_second_order(Matrix gamma, Matrix k);
@@ -34,8 +35,8 @@ struct EvenRoot {
   ComplexVector left;  ///< off the axis: the vector of −λ̄
 };
 
-/// All roots from the plain eigenpairs (λ, w): groups that can meet on the axis by projection on the Hermitian pencil 𝓔 − ω(−j𝒮), roots far below the largest
-/// projected out and solved by themselves.
+/// All roots from the plain eigenpairs (λ, w): groups that can meet on the axis by projection on the Hermitian pencil 𝓔
+/// − ω(−j𝒮), roots far below the largest projected out and solved by themselves.
 std::vector<EvenRoot> roots_of(const EvenPencil& p, const ComplexVector& lambda, const ComplexMatrix& w);
 
 }  // namespace gyromode::dense

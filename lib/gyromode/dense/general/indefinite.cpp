@@ -11,7 +11,8 @@ namespace gyromode::dense {
 
 namespace {
 
-// X of w = (X, λX), units of 1/γ: the half that is large once the companion matrix is balanced, by √‖k‖, as LAPACK does; the other half has the absolute error of that one (Tisseur 2000).
+// X of w = (X, λX), units of 1/γ: the half that is large once the companion matrix is balanced, by √‖k‖, as LAPACK
+// does; the other half has the absolute error of that one (Tisseur 2000).
 ComplexVector shape_of(const ComplexVector& w, Complex lambda, double root_of_stiffness) {
   const Index n = w.size() / 2;
   return std::abs(lambda) > root_of_stiffness ? ComplexVector(w.tail(n) / lambda) : ComplexVector(w.head(n));
@@ -23,13 +24,16 @@ IndefiniteModes collected(const NormalForm& form, const std::vector<EvenRoot>& r
   IndefiniteModes modes;
   std::vector<const EvenRoot*> vibrations, unstable;
   for (const EvenRoot& r : roots) {
-    if (r.lambda.real() != 0) unstable.push_back(&r);
-    else if (r.lambda.imag() > 0) vibrations.push_back(&r);
+    if (r.lambda.real() != 0)
+      unstable.push_back(&r);
+    else if (r.lambda.imag() > 0)
+      vibrations.push_back(&r);
   }
   modes.unstable = UnstableRoots(n, static_cast<Index>(unstable.size()));
   for (std::size_t k = 0; k < unstable.size(); ++k) {
     const EvenRoot& r = *unstable[k];
-    modes.unstable.set(static_cast<Index>(k), r.lambda * gamma, shape_of(r.w, r.lambda, root_of_stiffness), shape_of(r.left, -std::conj(r.lambda), root_of_stiffness));
+    modes.unstable.set(static_cast<Index>(k), r.lambda * gamma, shape_of(r.w, r.lambda, root_of_stiffness),
+                       shape_of(r.left, -std::conj(r.lambda), root_of_stiffness));
   }
   std::sort(vibrations.begin(), vibrations.end(), [](const EvenRoot* a, const EvenRoot* b) { return a->lambda.imag() < b->lambda.imag(); });
   const Index m = static_cast<Index>(vibrations.size());
@@ -48,7 +52,9 @@ double time_scale(const NormalForm& form) {
   return g > 0 ? g : 1;
 }
 
-EvenPencil even_pencil(const NormalForm& form, double gamma) { return EvenPencil::of_second_order(form.gamma / gamma, form.k / (gamma * gamma)); }
+EvenPencil even_pencil(const NormalForm& form, double gamma) {
+  return EvenPencil::of_second_order(form.gamma / gamma, form.k / (gamma * gamma));
+}
 
 }  // namespace
 
@@ -60,7 +66,8 @@ IndefiniteModes indefinite_modes(const NormalForm& form, const Matrix& gyroscopi
     const auto e = p.plain_eigen();
     return collected(form, roots_of(p, e.values, e.vectors), gamma);
   }
-  // 𝓔(N_g, 0) = 0, so (N_g, 0)ᵀ𝒮w is constant, and zero in every motion with λ ≠ 0: those live in the complement of 𝒮(N_g, 0).
+  // 𝓔(N_g, 0) = 0, so (N_g, 0)ᵀ𝒮w is constant, and zero in every motion with λ ≠ 0: those live in the complement of
+  // 𝒮(N_g, 0).
   Matrix null = Matrix::Zero(2 * n, gyroscopic_null.cols());
   null.topRows(n) = gyroscopic_null;
   const Matrix v = lapack::orthogonal_completion(p.s_times(null)).rightCols(2 * n - null.cols());

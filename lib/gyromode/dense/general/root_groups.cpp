@@ -27,8 +27,9 @@ ComplexMatrix image(const EvenPencil& p, Matrix (EvenPencil::*times)(const Matri
 
 using Groups = std::vector<std::vector<Index>>;
 
-// i and k belong together where k is near the partner −λ̄_i and |w_iᴴ𝒮w_k| is not small beside the largest of its row, or where the roots are within rounding of each other. Only roots near −λ̄_i, or the
-// nearest one to it, can have a form that is not rounding.
+// i and k belong together where k is near the partner −λ̄_i and |w_iᴴ𝒮w_k| is not small beside the largest of its row,
+// or where the roots are within rounding of each other. Only roots near −λ̄_i, or the nearest one to it, can have a form
+// that is not rounding.
 Groups paired_groups(const Upper& u) {
   constexpr double near_ratio = 1e-4, significant = 1e-4, close = 1e-9;
   const Index m = u.lambda.size();
@@ -58,11 +59,14 @@ Groups paired_groups(const Upper& u) {
       if (d <= near_ratio * largest) candidates.emplace_back(k, 0);
       if (i != k && std::abs(u.lambda(i) - u.lambda(k)) <= close * largest) join(i, k);
     };
-    const auto within = [&](std::size_t position) { return std::abs(u.lambda(by_height[position]).imag() - mirrored.imag()) <= std::max(near_ratio * largest, distance); };
+    const auto within = [&](std::size_t position) {
+      return std::abs(u.lambda(by_height[position]).imag() - mirrored.imag()) <= std::max(near_ratio * largest, distance);
+    };
     look(at);
     for (std::size_t above = at + 1; above < by_height.size() && within(above); ++above) look(above);
     for (std::size_t below = at; below-- > 0 && within(below);) look(below);
-    if (std::none_of(candidates.begin(), candidates.end(), [&](const auto& c) { return c.first == nearest; })) candidates.emplace_back(nearest, 0);
+    if (std::none_of(candidates.begin(), candidates.end(), [&](const auto& c) { return c.first == nearest; }))
+      candidates.emplace_back(nearest, 0);
     double row = 0;
     for (auto& [k, form] : candidates) {
       form = std::abs(u.w.col(i).dot(u.s.col(k)));
@@ -89,10 +93,12 @@ bool agrees(const std::vector<PencilRoot>& found, const ComplexVector& lambda) {
   return true;
 }
 
-// The left vector of root i, the vector of its mirror image. Roots that coincide to the last bit, as those of exact copies do, each take an image of their own.
+// The left vector of root i, the vector of its mirror image. Roots that coincide to the last bit, as those of exact
+// copies do, each take an image of their own.
 ComplexVector partner_of(const std::vector<PencilRoot>& found, std::size_t i) {
   const Complex value = found[i].value;
-  auto before = std::count_if(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(i), [&](const PencilRoot& r) { return r.value == value; });
+  auto before =
+      std::count_if(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(i), [&](const PencilRoot& r) { return r.value == value; });
   for (const PencilRoot& r : found) {
     if (r.value == std::conj(value) && before-- == 0) return r.y;
   }
@@ -103,7 +109,10 @@ ComplexVector partner_of(const std::vector<PencilRoot>& found, std::size_t i) {
 bool resolve(const Upper& u, const std::vector<Index>& group, std::vector<EvenRoot>& roots) {
   const small::Qr f = small::qr(u.w(Eigen::all, group));
   const ComplexMatrix& q = f.q;
-  const auto onto = [&](const ComplexMatrix& image) -> ComplexMatrix { return q.adjoint() * f.r.template triangularView<Eigen::Upper>().template solve<Eigen::OnTheRight>(ComplexMatrix(image(Eigen::all, group))); };
+  const auto onto = [&](const ComplexMatrix& image) -> ComplexMatrix {
+    return q.adjoint() *
+           f.r.template triangularView<Eigen::Upper>().template solve<Eigen::OnTheRight>(ComplexMatrix(image(Eigen::all, group)));
+  };
   ComplexMatrix a = onto(u.e);
   ComplexMatrix b = Complex(0, -1) * onto(u.s);
   a = 0.5 * (a + a.adjoint().eval());
@@ -128,7 +137,8 @@ bool resolve_one(const Upper& u, Index i, std::vector<EvenRoot>& roots) {
   return true;
 }
 
-// A group whose projection has lost its roots, as a defective one off the axis does: the plain roots, one of each quadruple.
+// A group whose projection has lost its roots, as a defective one off the axis does: the plain roots, one of each
+// quadruple.
 void keep_plain(const Upper& u, const std::vector<Index>& group, std::vector<EvenRoot>& roots) {
   std::vector<bool> taken(group.size(), false);
   for (const Index i : group) {

@@ -54,7 +54,8 @@ void skew_multiply(const Matrix& z, Index first, const double* v, double* y) {
   multiply_columns(z.data() + first * (z.rows() + 1), z.rows(), n, 0, n, v, y);
 }
 
-SkewMultiply::SkewMultiply(lapack::Team& team, Index largest) : team_(team), results_(static_cast<std::size_t>(team.size()), Vector(largest)) {}
+SkewMultiply::SkewMultiply(lapack::Team& team, Index largest)
+    : team_(team), results_(static_cast<std::size_t>(team.size()), Vector(largest)) {}
 
 void SkewMultiply::operator()(const Matrix& z, Index first, const double* v, double* y) {
   constexpr Index worth_it = 384;
@@ -62,7 +63,8 @@ void SkewMultiply::operator()(const Matrix& z, Index first, const double* v, dou
   if (team_.size() == 1 || n < worth_it) return skew_multiply(z, first, v, y);
   const double* a = z.data() + first * (z.rows() + 1);
   team_.run([&](int part) {
-    multiply_columns(a, z.rows(), n, equal_area(n, part, team_.size()), equal_area(n, part + 1, team_.size()), v, results_[static_cast<std::size_t>(part)].data());
+    multiply_columns(a, z.rows(), n, equal_area(n, part, team_.size()), equal_area(n, part + 1, team_.size()), v,
+                     results_[static_cast<std::size_t>(part)].data());
   });
   Eigen::Map<Vector> sum(y, n);
   sum = results_[0].head(n);
@@ -71,7 +73,8 @@ void SkewMultiply::operator()(const Matrix& z, Index first, const double* v, dou
 
 Index equal_area(Index n, int part, int parts) {
   if (part == parts) return n;
-  const double left = 1 - static_cast<double>(part) / static_cast<double>(parts);  // right of column c lies the share (1 − c/n)² of a triangle
+  // right of column c lies the share (1 − c/n)² of a triangle
+  const double left = 1 - static_cast<double>(part) / static_cast<double>(parts);
   return static_cast<Index>(static_cast<double>(n) * (1 - std::sqrt(left)));
 }
 

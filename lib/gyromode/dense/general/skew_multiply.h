@@ -10,8 +10,8 @@ namespace gyromode::dense {
 /// y = Z v for skew Z given by its strictly lower triangle; rows and columns from `first` on. Every entry is read once.
 void skew_multiply(const Matrix& z, Index first, const double* v, double* y);
 
-/// The same many times over by a team: the product is limited by memory bandwidth, and one core does not exhaust it. The columns are
-/// cut into parts of equal area, each with a result of its own, summed at the end.
+/// The same many times over by a team: the product is limited by memory bandwidth, and one core does not exhaust it.
+/// The columns are cut into parts of equal area, each with a result of its own, summed at the end.
 class SkewMultiply {
  public:
   SkewMultiply(lapack::Team& team, Index largest);

@@ -13,8 +13,9 @@ namespace {
 
 constexpr Index panel_width = 32;
 
-// Householder reflector 1 − τ v vᵀ with v(0) = 1 that maps x to β e₁ (LAPACK's dlarfg without the rescaling of tiny vectors: Z is scaled
-// to order one by its caller, and a column below the underflow of its squares is zero to every backward error).
+// Householder reflector 1 − τ v vᵀ with v(0) = 1 that maps x to β e₁ (LAPACK's dlarfg without the rescaling of tiny
+// vectors: Z is scaled to order one by its caller, and a column below the underflow of its squares is zero to every
+// backward error).
 double reflector(Eigen::Ref<Vector> x, double& beta) {
   const double tail = x.size() > 1 ? x.tail(x.size() - 1).norm() : 0;
   if (tail == 0) {
@@ -55,7 +56,8 @@ class Panel {
     lapack::multiply_add(y, 1, below(k, count), false, coefficients_.head(2 * count));
   }
 
-  // A += V Wᵀ − W Vᵀ on the lower triangle of the rows from `first` on, by block columns so that little of the upper one is touched.
+  // A += V Wᵀ − W Vᵀ on the lower triangle of the rows from `first` on, by block columns so that little of the upper
+  // one is touched.
   void update_trailing(lapack::Team& team, Matrix& a, Index first, Index count) {
     constexpr Index block = 128;
     for (Index i = 0; i < count; ++i) {

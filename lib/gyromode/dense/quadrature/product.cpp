@@ -17,8 +17,10 @@ QuadratureModes collected(const QuadratureForm& form, const std::vector<ProductR
   QuadratureModes modes;
   std::vector<const ProductRoot*> vibrations, unstable;
   for (const ProductRoot& root : roots) {
-    if (root.mu.imag() == 0 && root.mu.real() > 0) vibrations.push_back(&root);
-    else if (root.mu.imag() >= 0) unstable.push_back(&root);
+    if (root.mu.imag() == 0 && root.mu.real() > 0)
+      vibrations.push_back(&root);
+    else if (root.mu.imag() >= 0)
+      unstable.push_back(&root);
   }
   modes.unstable = UnstableRoots(p + r, static_cast<Index>(unstable.size()));
   for (std::size_t k = 0; k < unstable.size(); ++k) {
@@ -72,8 +74,8 @@ Matrix p_matrix(const QuadratureForm& form) {
   return m;
 }
 
-// K singular with N₁ᵀbN₂ regular: n_u = (N₁, 0) and n_v = (0, N₂) have E_u n_u = 0, E_v n_v = 0, so n_vᵀΣᵀu and n_uᵀΣv are constant, and zero in every
-// motion with λ ≠ 0. Those motions live in the complements of Σ n_v and Σᵀ n_u.
+// K singular with N₁ᵀbN₂ regular: n_u = (N₁, 0) and n_v = (0, N₂) have E_u n_u = 0, E_v n_v = 0, so n_vᵀΣᵀu and n_uᵀΣv
+// are constant, and zero in every motion with λ ≠ 0. Those motions live in the complements of Σ n_v and Σᵀ n_u.
 struct Regular {
   Product product;
   Matrix u;

@@ -17,7 +17,8 @@ namespace {
 // Σ⁻¹ E_u u = −v̇ for every column.
 Matrix velocity(const Product& p, const Matrix& u) { return lapack::multiply(p.sigma_inverse, lapack::multiply(p.eu, u)); }
 
-// Groups of positions whose roots are within `gap` of a neighbour in the order of their real parts, conjugate pairs kept together.
+// Groups of positions whose roots are within `gap` of a neighbour in the order of their real parts, conjugate pairs
+// kept together.
 std::vector<std::vector<Index>> close_groups(const ComplexVector& mu, double gap) {
   std::vector<Index> order(static_cast<std::size_t>(mu.size()));
   std::iota(order.begin(), order.end(), Index{0});
@@ -58,8 +59,9 @@ bool resolve_group(const Product& p, const Matrix& basis, std::vector<ProductRoo
   return !found.empty();
 }
 
-// One level: `p` is `whole` in the bases `u` and `v` of its halves (`whole` itself where they are empty). Roots far below the largest are solved again by themselves, in orthonormal bases U and V = Σ⁻¹E_u U of
-// their halves, in which the whole problem is projected, not this one: what is small in it keeps its digits.
+// One level: `p` is `whole` in the bases `u` and `v` of its halves (`whole` itself where they are empty). Roots far
+// below the largest are solved again by themselves, in orthonormal bases U and V = Σ⁻¹E_u U of their halves, in which
+// the whole problem is projected, not this one: what is small in it keeps its digits.
 std::vector<ProductRoot> roots_of(const Product& whole, const Product& p, const Matrix& u, const Matrix& product, int depth) {
   constexpr double small_ratio = 1e-4;  // in μ = ω²
   constexpr double close_ratio = 1e-9;
@@ -69,7 +71,8 @@ std::vector<ProductRoot> roots_of(const Product& whole, const Product& p, const 
   std::vector<ProductRoot> roots;
   std::vector<Index> small;
   for (const auto& group : close_groups(e.values, close_ratio * largest)) {
-    const bool is_small = depth < deepest && std::all_of(group.begin(), group.end(), [&](Index i) { return std::abs(e.values(i)) <= small_ratio * largest; });
+    const bool is_small =
+        depth < deepest && std::all_of(group.begin(), group.end(), [&](Index i) { return std::abs(e.values(i)) <= small_ratio * largest; });
     if (is_small) {
       small.insert(small.end(), group.begin(), group.end());
     } else if (group.size() == 1 || isolated_pair(e.values, group, close_ratio * largest)) {
@@ -96,7 +99,9 @@ Matrix product_matrix(const Product& p) {
 }
 
 Product projected(const Product& p, const Matrix& u, const Matrix& v) {
-  const auto onto = [](const Matrix& left, const Matrix& a, const Matrix& right) { return lapack::multiply_tn(left, lapack::multiply(a, right)); };
+  const auto onto = [](const Matrix& left, const Matrix& a, const Matrix& right) {
+    return lapack::multiply_tn(left, lapack::multiply(a, right));
+  };
   Product small{onto(u, p.sigma, v), {}, onto(u, p.eu, u), onto(v, p.ev, v)};
   small.sigma_inverse = small::inverse(small.sigma);
   return small;

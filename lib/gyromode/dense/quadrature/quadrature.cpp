@@ -86,7 +86,8 @@ Matrix w_matrix(const QuadratureForm& form) {
   return w;
 }
 
-// Is an eigenvalue of W below 1e-8 of the largest, so that its ω has 8 digits and less? Sturm counts, before any vector is computed.
+// Is an eigenvalue of W below 1e-8 of the largest, so that its ω has 8 digits and less? Sturm counts, before any vector
+// is computed.
 bool small_frequencies(const lapack::Tridiagonal& w, double norm_w) {
   constexpr double smallest_ratio = 1e-8;
   double largest = norm_w;  // to a factor of two
@@ -94,8 +95,9 @@ bool small_frequencies(const lapack::Tridiagonal& w, double norm_w) {
   return w.below(smallest_ratio * largest) > 0;
 }
 
-// An error ε‖W‖ in ω² is one of ε‖W‖/2ω in ω, while a backward error nε in K moves ω by nε‖K‖‖X‖²ω/2. The eigenvalues of W are good enough
-// while the first is below the second for every mode (s, w), column of v: ‖y‖ = ‖w‖/ω, and x = f⁻ᵀs, ‖x‖² ≥ ‖s‖²/‖K‖. x itself is asked only where that bound does not do.
+// An error ε‖W‖ in ω² is one of ε‖W‖/2ω in ω, while a backward error nε in K moves ω by nε‖K‖‖X‖²ω/2. The eigenvalues
+// of W are good enough while the first is below the second for every mode (s, w), column of v: ‖y‖ = ‖w‖/ω, and x =
+// f⁻ᵀs, ‖x‖² ≥ ‖s‖²/‖K‖. x itself is asked only where that bound does not do.
 bool accurate(const QuadratureForm& form, const Vector& omega, const MatrixView& v, double norm_w, double norm_k) {
   const Matrix& f = form.first.root();
   const Index q = f.cols();
@@ -104,8 +106,10 @@ bool accurate(const QuadratureForm& form, const Vector& omega, const MatrixView&
     const double square = omega(i) * omega(i), of_y = n * norm_k * v.col(i).tail(v.rows() - q).squaredNorm();
     Matrix x = v.col(i).head(q);
     if (norm_w <= of_y + n * square * x.squaredNorm()) continue;
-    if (f.rows() == q) lapack::solve_lower_transposed(f, x);
-    else x = ((f * x + form.b * v.col(i).tail(v.rows() - q)) / square).eval();
+    if (f.rows() == q)
+      lapack::solve_lower_transposed(f, x);
+    else
+      x = ((f * x + form.b * v.col(i).tail(v.rows() - q)) / square).eval();
     if (!(norm_w <= of_y + n * norm_k * square * x.squaredNorm())) return false;
   }
   return true;
@@ -146,13 +150,15 @@ QuadratureModes by_w(const QuadratureForm& form) {
   return modes;
 }
 
-// The groups exchanged: x ↔ y, b → −bᵀ. A motion (x, −jy) of the exchanged form is, times j, the motion (y, jx) → (y, −j(−x)) of this one.
+// The groups exchanged: x ↔ y, b → −bᵀ. A motion (x, −jy) of the exchanged form is, times j, the motion (y, jx) → (y,
+// −j(−x)) of this one.
 QuadratureForm exchanged(const QuadratureForm& form) { return {-form.b.transpose(), form.second, form.first}; }
 
 QuadratureModes exchanged_back(QuadratureModes modes) {
   std::swap(modes.x, modes.y);
   modes.y = -modes.y;
-  UnstableRoots unstable(modes.x.rows() + modes.y.rows(), modes.unstable.count());  // e^{λt}: (x, y) of the exchanged form is (y, x) of this one, without a sign
+  // e^{λt}: (x, y) of the exchanged form is (y, x) of this one, without a sign
+  UnstableRoots unstable(modes.x.rows() + modes.y.rows(), modes.unstable.count());
   for (Index k = 0; k < modes.unstable.count(); ++k) {
     ComplexVector right(modes.x.rows() + modes.y.rows());
     right << modes.unstable.right.col(k).tail(modes.x.rows()), modes.unstable.right.col(k).head(modes.y.rows());

@@ -10,14 +10,17 @@
 
 namespace gyromode::dense {
 
-/// The coordinates in which shapes of one group are asked for: each function replaces its columns by theirs. Without functions they are those of the form.
+/// The coordinates in which shapes of one group are asked for: each function replaces its columns by theirs. Without
+/// functions they are those of the form.
 struct ShapeCoordinates {
   std::function<void(MatrixSpan)> from_normal;  ///< from x of the form
-  std::function<void(MatrixSpan)> from_root;    ///< from s = fᵀx of a square root f; one triangular solve where f and the mass factor would take one each
+  /// from s = fᵀx of a square root f; one triangular solve where f and the mass factor would take one each
+  std::function<void(MatrixSpan)> from_root;
 };
 
-/// One diagonal block k (n × n) of a mass-normalised stiffness; where k ≥ 0 also a root f with k = f fᵀ, n × q, q < n only where the null space is
-/// gyroscopically coupled (see Deflation). Each costs a congruence, and not every solver asks for both: they may be given as recipes.
+/// One diagonal block k (n × n) of a mass-normalised stiffness; where k ≥ 0 also a root f with k = f fᵀ, n × q, q < n
+/// only where the null space is gyroscopically coupled (see Deflation). Each costs a congruence, and not every solver
+/// asks for both: they may be given as recipes.
 class StiffnessBlock {
  public:
   using Recipe = std::function<Matrix()>;
@@ -62,15 +65,17 @@ struct QuadratureForm {
   StiffnessBlock first, second;
 };
 
-/// Motions X = (x, −j y) e^{jωt} with real x (p × m) and y (r × m), ω > 0 ascending; and the roots off the imaginary axis. All in the coordinates that the blocks ask for.
+/// Motions X = (x, −j y) e^{jωt} with real x (p × m) and y (r × m), ω > 0 ascending; and the roots off the imaginary
+/// axis. All in the coordinates that the blocks ask for.
 struct QuadratureModes {
   Vector omega;
   Matrix x, y;
-  UnstableRoots unstable;          ///< X = (x, y) of X e^{λt}; Y = (x̄, −ȳ), as T reverses time
+  UnstableRoots unstable;  ///< X = (x, y) of X e^{λt}; Y = (x̄, −ȳ), as T reverses time
   std::string solver;
 };
 
-/// Y of a root with X = (x, y), x the first `in_phase` rows: with T = diag(1, −1) reversing time, TN(λ)T = N(−λ), so that Y = T X̄ belongs to −λ̄.
+/// Y of a root with X = (x, y), x the first `in_phase` rows: with T = diag(1, −1) reversing time, TN(λ)T = N(−λ), so
+/// that Y = T X̄ belongs to −λ̄.
 ComplexVector reversed(const ComplexVector& right, Index in_phase);
 
 /// All roots of the form, by what its blocks allow:

@@ -21,7 +21,8 @@ StiffnessBlock block(const MassNormal& normal, const Matrix& k, const StiffnessI
     root = [&normal, &k, &d, factor] { return normal.stiffness_root(factor->emplace(k, d)); };
     physical.from_root = [factor](MatrixSpan s) { (*factor)->to_physical(s); };
   }
-  StiffnessBlock made(k.rows(), [&normal, &k] { return normal.stiffness(k); }, std::move(root));
+  StiffnessBlock made(
+      k.rows(), [&normal, &k] { return normal.stiffness(k); }, std::move(root));
   made.ask_for(std::move(physical));
   return made;
 }
@@ -41,7 +42,12 @@ void solve_regular(const SecondOrderQuadrature& m, const StiffnessInertia& d1, c
 
 StiffnessInertia of_both(const StiffnessInertia& d1, const StiffnessInertia& d2) {
   const Index n1 = d1.null_space.rows();
-  StiffnessInertia d{{d1.negative + d2.negative, d1.zero + d2.zero}, d1.positive + d2.positive, {}, std::min(d1.margin, d2.margin), d1.doubtful || d2.doubtful, {}};
+  StiffnessInertia d{{d1.negative + d2.negative, d1.zero + d2.zero},
+                     d1.positive + d2.positive,
+                     {},
+                     std::min(d1.margin, d2.margin),
+                     d1.doubtful || d2.doubtful,
+                     {}};
   d.null_space = Matrix::Zero(n1 + d2.null_space.rows(), d.zero);
   d.null_space.topLeftCorner(n1, d1.zero) = d1.null_space;
   d.null_space.bottomRightCorner(d2.null_space.rows(), d2.zero) = d2.null_space;
@@ -63,7 +69,9 @@ SingularSystem whole(const SecondOrderQuadrature& m) {
 
 }  // namespace
 
-void solve_second_order(const SecondOrderQuadrature& m, Spectrum& s) { solve_second_order(m, inertia_of_k(m.stiffness1), inertia_of_k(m.stiffness2), s); }
+void solve_second_order(const SecondOrderQuadrature& m, Spectrum& s) {
+  solve_second_order(m, inertia_of_k(m.stiffness1), inertia_of_k(m.stiffness2), s);
+}
 
 void solve_second_order(const SecondOrderQuadrature& m, const StiffnessInertia& d1, const StiffnessInertia& d2, Spectrum& s) {
   const StiffnessInertia d = of_both(d1, d2);

@@ -17,7 +17,9 @@ struct Equilibrated {
   lapack::ComplexLu lu;
 };
 
-Vector scale_at(const Impedance& h, double size) { return h.weight(size).unaryExpr([](double w) { return w > 0 ? power_of_two_near(1 / std::sqrt(w)) : 1; }); }
+Vector scale_at(const Impedance& h, double size) {
+  return h.weight(size).unaryExpr([](double w) { return w > 0 ? power_of_two_near(1 / std::sqrt(w)) : 1; });
+}
 
 Equilibrated factored(const Impedance& h, Complex lambda) {
   const Vector d = scale_at(h, std::abs(lambda));
@@ -87,6 +89,8 @@ std::optional<DiscCount> roots_in_disc(const Impedance& h, Complex centre, doubl
   return std::nullopt;
 }
 
-std::optional<DiscCount> Impedance::roots_in_disc(Complex centre, double radius) const { return dense::roots_in_disc(*this, centre, radius); }
+std::optional<DiscCount> Impedance::roots_in_disc(Complex centre, double radius) const {
+  return dense::roots_in_disc(*this, centre, radius);
+}
 
 }  // namespace gyromode::dense

@@ -8,7 +8,8 @@ namespace gyromode::dense {
 
 namespace {
 
-// Roots with right and left vectors and s_k: modes jω, then λ and −λ̄ of every unstable one. Their conjugates are the other half.
+// Roots with right and left vectors and s_k: modes jω, then λ and −λ̄ of every unstable one. Their conjugates are the
+// other half.
 struct Roots {
   ComplexVector lambda, slope;
   ComplexMatrix right, left;
@@ -35,19 +36,24 @@ Roots all_roots(const Impedance& h, const Spectrum& s) {
   return r;
 }
 
-// The shares −y_kᴴr_i/((λ_i − λ_k)s_k), in place of y_kᴴr_i; those that are not small, of roots that coincide with λ_i to rounding, are none.
-void divide(ComplexMatrix& shares, const ComplexVector& lambda, const ComplexVector& slope, const ComplexVector& of, const std::vector<Index>& self) {
+// The shares −y_kᴴr_i/((λ_i − λ_k)s_k), in place of y_kᴴr_i; those that are not small, of roots that coincide with λ_i
+// to rounding, are none.
+void divide(ComplexMatrix& shares, const ComplexVector& lambda, const ComplexVector& slope, const ComplexVector& of,
+            const std::vector<Index>& self) {
   constexpr double small = 0.05;
   for (Index i = 0; i < shares.cols(); ++i) {
     for (Index k = 0; k < shares.rows(); ++k) {
       const Complex share = -shares(k, i) / ((of(i) - lambda(k)) * slope(k));
-      shares(k, i) = std::abs(share) <= small && !(static_cast<std::size_t>(i) < self.size() && self[static_cast<std::size_t>(i)] == k) ? share : Complex(0, 0);
+      shares(k, i) = std::abs(share) <= small && !(static_cast<std::size_t>(i) < self.size() && self[static_cast<std::size_t>(i)] == k)
+                         ? share
+                         : Complex(0, 0);
     }
   }
 }
 
 // Corrected columns x of roots `of`; `self` their positions among the roots.
-ComplexMatrix corrected(const Impedance& h, const Roots& all, const ComplexVector& of, const ComplexMatrix& x, const std::vector<Index>& self) {
+ComplexMatrix corrected(const Impedance& h, const Roots& all, const ComplexVector& of, const ComplexMatrix& x,
+                        const std::vector<Index>& self) {
   const CharacteristicProducts p = h.characteristic_products(x);
   const ComplexMatrix r = p.k + p.g * of.asDiagonal() + p.m * ComplexVector(of.array().square()).asDiagonal();
   ComplexMatrix shares = lapack::multiply_adjoint(all.left, r);

@@ -28,12 +28,14 @@ template <class AnyMatrix>
 AnyMatrix start(Index n, Index columns) {
   AnyMatrix x(n, columns);
   for (Index k = 0; k < columns; ++k) {
-    for (Index i = 0; i < n; ++i) x(i, k) = std::sin(1.3 + 2.1 * static_cast<double>(i) + 3.7 * static_cast<double>(k) + 0.9 * static_cast<double>(i * k % 13));
+    for (Index i = 0; i < n; ++i)
+      x(i, k) = std::sin(1.3 + 2.1 * static_cast<double>(i) + 3.7 * static_cast<double>(k) + 0.9 * static_cast<double>(i * k % 13));
   }
   return x;
 }
 
-// The modes in the span of x near ω by the Hermitian pencil (xᴴHx, xᴴH′x), where it is regular and they are near: frequencies and shapes are replaced.
+// The modes in the span of x near ω by the Hermitian pencil (xᴴHx, xᴴH′x), where it is regular and they are near:
+// frequencies and shapes are replaced.
 template <class AnyMatrix>
 void resolve(const Impedance& h, Eigen::Ref<Vector> omega, AnyMatrix& x) {
   constexpr double near = 1e-4;
@@ -55,7 +57,8 @@ void resolve(const Impedance& h, Eigen::Ref<Vector> omega, AnyMatrix& x) {
   x = std::move(shapes);
 }
 
-// Shapes of `count` modes near ω: what H(ω) takes nearly to zero, by inverse iteration on the equilibrated matrix. A column that it does not, as at a defective root, is replaced by the first.
+// Shapes of `count` modes near ω: what H(ω) takes nearly to zero, by inverse iteration on the equilibrated matrix. A
+// column that it does not, as at a defective root, is replaced by the first.
 template <class AnyMatrix>
 AnyMatrix null_shapes(const Impedance& h, double omega, Index count) {
   const Vector weight = h.weight(omega);
@@ -135,8 +138,10 @@ std::optional<Spectrum> solve_in_own_scale(const Impedance& h, const Spectrum& k
     if (z.imag() == 0 && z.real() > 0) off_axis.emplace_back(std::sqrt(z.real()), 0);
     if (z.imag() > 0) off_axis.push_back(std::sqrt(z));  // principal: both parts above 0
   }
-  if (h.quadrature()) add_modes<Matrix>(h, omega, s);
-  else add_modes<ComplexMatrix>(h, omega, s);
+  if (h.quadrature())
+    add_modes<Matrix>(h, omega, s);
+  else
+    add_modes<ComplexMatrix>(h, omega, s);
   add_unstable(h, off_axis, s);
   s.solver += " (one scale did not convince: every root by simultaneous iteration in its own)";
   return s;

@@ -93,8 +93,8 @@ double mass_of(const Impedance& h, const Matrix& x) {
   return first.dot(h.mass_rr() * first) + second.dot(h.mass_ii() * second);
 }
 
-// The smaller root δ of a − δb − δ²m = xᴴH(σ + δ)x = 0. Near a defective root b is small and the quadratic term counts; where the discriminant is negative the
-// roots of the functional are complex, and nothing real can be said.
+// The smaller root δ of a − δb − δ²m = xᴴH(σ + δ)x = 0. Near a defective root b is small and the quadratic term counts;
+// where the discriminant is negative the roots of the functional are complex, and nothing real can be said.
 Complex quadratic_step(double a, double b, double m) {
   const double discriminant = b * b + 4 * m * a;
   if (discriminant < 0) return {0, 1};
@@ -166,8 +166,9 @@ bool refine_group(const Impedance& h, Spectrum& s, const std::vector<Index>& gro
   return false;
 }
 
-// Where first order fails, near a defective root: the shape alone, as the null vector of H at the root as it is. The smallest eigenvalue of H is
-// quadratic in the distance from a defective root, so its residual is at rounding although ω has half the digits.
+// Where first order fails, near a defective root: the shape alone, as the null vector of H at the root as it is. The
+// smallest eigenvalue of H is quadratic in the distance from a defective root, so its residual is at rounding although
+// ω has half the digits.
 template <class AnyMatrix>
 bool refine_shapes(const Impedance& h, Spectrum& s, const std::vector<Index>& group) {
   bool changed = false;
@@ -185,8 +186,8 @@ bool refine_shapes(const Impedance& h, Spectrum& s, const std::vector<Index>& gr
   return changed;
 }
 
-// Nearly parallel shapes at close roots are a nearly defective pair: its shapes do not span the group, and each root is followed alone, no farther than
-// a part of the way to its neighbour.
+// Nearly parallel shapes at close roots are a nearly defective pair: its shapes do not span the group, and each root is
+// followed alone, no farther than a part of the way to its neighbour.
 template <class AnyMatrix>
 bool parallel(const Spectrum& s, const std::vector<Index>& group) {
   constexpr double limit = 1e-2;

@@ -26,7 +26,8 @@ std::optional<UnstableRoot> refine_unstable(const Impedance& h, Complex lambda, 
     last = UnstableRoot{lambda, v.right, v.left};
     const double size = std::abs(change);
     if (!(size <= reach) || !(std::abs(lambda + change - start) <= reach)) return std::nullopt;
-    if (!(size < 0.5 * previous) || size <= settled * std::abs(lambda)) return last;  // at rounding, or near a defective root: what was reached, with its own vectors
+    // at rounding, or near a defective root: what was reached, with its own vectors
+    if (!(size < 0.5 * previous) || size <= settled * std::abs(lambda)) return last;
     lambda += change;
     previous = size;
   }

@@ -10,7 +10,8 @@ namespace gyromode::dense {
 
 namespace {
 
-// Pairs ±λ with |λ| < r. Roots are symmetric about both axes, so the mean over a circle is the mean of real parts over a quarter of it.
+// Pairs ±λ with |λ| < r. Roots are symmetric about both axes, so the mean over a circle is the mean of real parts over
+// a quarter of it.
 double pairs_within(const Impedance& h, double r) {
   constexpr int points = 4;
   double sum = 0;

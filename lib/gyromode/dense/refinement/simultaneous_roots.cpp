@@ -35,7 +35,7 @@ Complex logarithmic_derivative(const Impedance& h, Complex mu, Index zero) {
 
 struct Iterate {
   double least_step = infinity;  // relative
-  int without_progress = 0;                                     // rounds since it became less
+  int without_progress = 0;      // rounds since it became less
   bool settled = false;
 };
 
