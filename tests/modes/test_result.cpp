@@ -66,7 +66,6 @@ testing::AssertionResult has_modes(const ModesResult& r, const Vector& expected)
 }
 
 // ---- shapes
-// -------------------------------------------------------------------------------------------------------------
 
 void expect_conventions(const ModesResult& r, const std::string& what) {
   for (const Mode& m : r.modes) {
@@ -121,7 +120,6 @@ TEST(Shapes, FirstOfTiesAndNoneUnlessAsked) {
 }
 
 // ---- windows
-// ------------------------------------------------------------------------------------------------------------
 
 TEST(Windows, HoldModesFromAUpToB) {
   EXPECT_TRUE(has_modes(in_window(ladder(), 1.5, 3.5), Vector{{2, 3}}));
@@ -171,7 +169,6 @@ TEST(Windows, MustBeWindows) {
 }
 
 // ---- lowest
-// -----------------------------------------------------------------------------------------------------------------
 
 TEST(Lowest, CountsVibrationsAndBringsRigidBodiesAlong) {
   EXPECT_TRUE(has_modes(lowest(ladder(), 2), Vector{{1, 2}}));
@@ -210,7 +207,6 @@ TEST(Lowest, StaysInTheWindow) {
 TEST(Lowest, NoneIsRefused) { EXPECT_THROW(lowest(ladder(), 0), InvalidArgument); }
 
 // ---- counts, kinds, signs
-// -------------------------------------------------------------------------------------------------------
 
 TEST(Result, EveryRootIsAccountedForAndCounted) {
   for (std::uint64_t seed = 1000; seed < 1600; ++seed) {
@@ -302,7 +298,6 @@ TEST(Result, FirstOrderConstantSolutionsAreRigid) {
 }
 
 // ---- refusals
-// -----------------------------------------------------------------------------------------------------------------------
 
 std::string refusal(const System& s, Method method) {
   ModesOptions options;

@@ -34,7 +34,6 @@ const Real null_threshold("1e-30");
 const Real cluster_threshold("1e-18");
 
 // ---- promises
-// ----------------------------------------------------------------------------------------------------------------
 
 void require(bool promise, const char* message) {
   if (!promise) throw InvalidArgument(std::string("gyromode::reference: ") + message);
@@ -62,7 +61,6 @@ Vector symmetric_eigenvalues(const Matrix& S) {
 }
 
 // ---- Hermitian matrices as real symmetric ones of twice the size
-// ---------------------------------------------------------------
 
 /// A + jB Hermitian (A = Aᵀ, B = −Bᵀ)  ↦  [A −B; B A], in which every eigenvalue appears twice.
 Matrix embedding(const Matrix& A, const Matrix& B) {
@@ -106,7 +104,6 @@ struct Impedance {
 };
 
 // ---- the system in mass-normalised coordinates and its own unit of time
-// ------------------------------------------------------
 
 /// q' = Lᵀq, M = LLᵀ, and time in units of 1/rate:   k = L⁻¹KL⁻ᵀ/rate²,  g = L⁻¹GL⁻ᵀ/rate,  max(|k|, |g|) = 1,
 /// h(w) = k − w² + jwg,  λ = rate · (roots of k, g).
@@ -149,7 +146,6 @@ Matrix companion(const Normalised& s) {
 }
 
 // ---- roots
-// -------------------------------------------------------------------------------------------------------------------
 
 /// The non-zero part of A. With Q = [Q₁ N], N an orthonormal basis of null A, QᵀAQ = [C 0; * 0]: the spectrum of A is
 /// that of C = Q₁ᵀAQ₁ and dim N zeros. Repeat until C is nonsingular; every zero is found, whatever its Jordan blocks.
@@ -253,7 +249,6 @@ std::vector<Cluster> clusters(std::vector<Square> squares) {
 }
 
 // ---- energy signs
-// ------------------------------------------------------------------------------------------------------------
 
 struct Signature {
   int positive = 0, negative = 0;
@@ -307,7 +302,6 @@ void verify_by_counting(const Normalised& s, const std::vector<AxisRoot>& roots)
 }
 
 // ---- the sorted spectrum, in units of rate
-// -----------------------------------------------------------------------------------
 
 struct Roots {
   int zeros = 0;
@@ -351,7 +345,6 @@ Roots all_roots(const Normalised& s) {
 }
 
 // ---- verdict and distance
-// ----------------------------------------------------------------------------------------------------
 
 Spectrum::Verdict verdict(const Spectrum& result, const Roots& roots) {
   using enum Spectrum::Verdict;

@@ -56,7 +56,6 @@ Values in_hertz(Values omega) {
 }
 
 // ---- B1: rotating frame, spectrum { |ω_k − Ω|, ω_k + Ω }
-// ---------------------------------------------------------------------
 
 /// ω_k = 1, 2, 3 in coordinates changed by an integer S, so that every entry is exact.
 struct RotatingFrame {
@@ -114,7 +113,6 @@ TEST(HighPrecision, B1CriticalSpeedHasSemisimpleZero) {
 }
 
 // ---- B2: unequal transverse stiffness
-// -----------------------------------------------------------------------------------------
 
 Spectrum unequal_shaft(double spin) {
   return spectrum(MatrixXd::Identity(2, 2), 2 * spin * J, diagonal({1 - spin * spin, 2.25 - spin * spin}));
@@ -197,7 +195,6 @@ TEST(HighPrecision, B3TwoThresholdsAndAnOscillator) {
 }
 
 // ---- B4: free rigid body, ω = Ω and Ω√((C−A)(C−B)/(AB))
-// -----------------------------------------------------------------------
 
 Spectrum rigid_body(double A, double B, double C, double spin = 1) {
   return spectrum(diagonal({A, B}), (A + B - C) * spin * J, diagonal({spin * spin * (C - B), spin * spin * (C - A)}));
@@ -236,7 +233,6 @@ TEST(HighPrecision, B4AxisymmetricMajorAndDegenerate) {
 }
 
 // ---- A1: rotating mass on springs
-// -----------------------------------------------------------------------------------------------
 
 Spectrum rotating_mass(double rpm) {
   const double m = 0.2, spin = rpm * 2 * pi / 60, softening = m * spin * spin;
@@ -269,7 +265,6 @@ TEST(HighPrecision, A1BothThresholds) {
 }
 
 // ---- A11: wiresaw
-// ---------------------------------------------------------------------------------------------------------------
 
 struct Wiresaw {
   MatrixXd M, G, K;
@@ -320,7 +315,6 @@ TEST(HighPrecision, A11SpuriousFlutterAboveTheCriticalSpeed) {
 }
 
 // ---- K singular: rigid modes and the root 0
-// -------------------------------------------------------------------------------------
 
 /// Laplacian of a free-free chain of unit springs, eigenvalues 4 sin²(jπ/2n), j = 0 … n−1.
 MatrixXd chain(Index n) {

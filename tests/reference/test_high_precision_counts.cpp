@@ -26,7 +26,6 @@ using Eigen::VectorXd;
 const MatrixXd J = (MatrixXd(2, 2) << 0, -1, 1, 0).finished();
 
 // ---- random systems
-// -------------------------------------------------------------------------------------------------------------
 
 struct RandomSystem {
   MatrixXd M, G, K;
@@ -148,7 +147,6 @@ TEST(HighPrecision, IndexBalanceWithSingularStiffness) {
 }
 
 // ---- broken promises
-// ------------------------------------------------------------------------------------------------------------
 
 void expect_refusal(const MatrixXd& M, const MatrixXd& G, const MatrixXd& K, const std::string& reason) {
   try {
