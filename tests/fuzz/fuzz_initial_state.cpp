@@ -25,7 +25,7 @@ void require(bool law) {
 
 std::string joined(const gyromode::io::CsvRow& row) {
   std::string text;
-  for (const std::string& field : row.fields) text += (text.empty() ? "" : ",") + gyromode::io::csv_field(field);
+  for (std::size_t k = 0; k < row.fields.size(); ++k) text += (k == 0 ? "" : ",") + gyromode::io::csv_field(row.fields[k]);
   return text;
 }
 
@@ -45,8 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const gyromode::io::CsvRow& row : gyromode::io::csv_rows(text, "fuzz.csv")) {
       const std::string once = joined(row);
       const auto again = gyromode::io::csv_rows(once, "again.csv");
-      // An empty first field, or one that looks like a comment, makes another line of it.
-      if (once.empty() || once.front() == '#' || once.front() == ',') continue;
+      if (once.empty()) continue;  // a blank line
       require(again.size() == 1 && again.front().fields == row.fields);
     }
   });

@@ -6,6 +6,8 @@ namespace gyromode::io {
 
 namespace {
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 std::string_view trimmed(std::string_view s) {
   constexpr std::string_view blanks = " \t";
   s.remove_prefix(std::min(s.find_first_not_of(blanks), s.size()));
@@ -35,7 +37,6 @@ std::string quoted_field(std::string_view& rest, const Lines& lines) {
 }  // namespace
 
 std::vector<CsvRow> csv_rows(std::string_view text, const std::filesystem::path& file) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   std::vector<CsvRow> rows;
   for (Lines lines(text, file); lines.next();) {
@@ -60,7 +61,9 @@ std::vector<CsvRow> csv_rows(std::string_view text, const std::filesystem::path&
 }
 
 std::string csv_field(const std::string& s) {
-  if (s.find_first_of(",\"\r\n") == std::string::npos) return s;
+  const bool plain =
+      s.find_first_of(",\"\r\n") == std::string::npos && trimmed(s) == s && !s.starts_with('#') && !s.starts_with(byte_order_mark);
+  if (plain) return s;
   std::string quoted = "\"";
   for (const char c : s) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";

@@ -17,7 +17,7 @@ struct CsvRow {
 /// closed on its line.
 std::vector<CsvRow> csv_rows(std::string_view text, const std::filesystem::path& file);
 
-/// A field as RFC 4180 quotes it.
+/// A field as RFC 4180 quotes it, and also where csv_rows() would take off blanks, a byte order mark or a comment.
 std::string csv_field(const std::string& s);
 
 }  // namespace gyromode::io
