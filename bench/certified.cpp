@@ -6,7 +6,6 @@
 #include "systems.h"
 
 #include "gyromode/modes/modes.h"
-#include "gyromode/modes/modes.h"
 #include "gyromode/stability/stability_margin.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 // Small systems on which false claims were made once, each standing for a family; the families are in test_hostile.cpp.
 #include "gyromode/modes/modes.h"
-#include "gyromode/modes/modes.h"
 #include "gyromode/system/laws.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,6 @@
 // Every shipped model has the class, verdict and frequencies that it declares.
+#include "gyromode/base/error.h"
+#include "gyromode/models/model_kind.h"
 #include "gyromode/read/read_model.h"
 #include "gyromode/models/spacecraft_model.h"
 #include "gyromode/modes/modes.h"
@@ -6,6 +8,8 @@
 #include "gyromode/modes/spacecraft.h"
 
 #include <gtest/gtest.h>
+
+#include <sstream>
 
 #include <filesystem>
 
@@ -44,6 +48,35 @@ TEST_P(ShippedModel, HasItsKnownValues) {
   ASSERT_EQ(r.modes.size(), model.known.frequencies.size());
   for (std::size_t i = 0; i < r.modes.size(); ++i)
     EXPECT_NEAR(r.modes[i].omega, model.known.frequencies[i], 2e-13 * model.known.frequencies[i]);
+}
+
+// Built in code as in the file: the same answers.
+TEST(ModelInCode, IsThatOfTheFile) {
+  const Model file = read_model(std::filesystem::path(GYROMODE_SOURCE_DIR) / "models/three_springs.toml");
+  const System& system = *file.body->second_order();
+  const Model code(system);
+  EXPECT_EQ(code.modes().frequencies(), file.modes().frequencies());
+  EXPECT_EQ(code.kind, file.kind);
+  EXPECT_TRUE(code.modes().is_complete());
+  EXPECT_EQ(code.count({0, 600}).count, file.count({0, 600}).count);
+  const double spin = *file.spin;
+  EXPECT_EQ(file.with({{"spin", 2 * spin}}).spin, 2 * spin);
+  EXPECT_EQ(file.with({{"spin", 2 * spin}}).with({{"spin", spin}}).modes().frequencies(), file.modes().frequencies());
+  EXPECT_TRUE(file.with({{"spin", 2 * spin}}).known.frequencies.empty());  // what the file declares is of its own spin
+  EXPECT_TRUE(code.without_couplings(0.01).ignored.has_value());
+}
+
+TEST(ModelInCode, ShapesAsOneBlock) {
+  const Model m = read_model(std::filesystem::path(GYROMODE_SOURCE_DIR) / "models/wiresaw.toml");
+  ModesOptions options;
+  EXPECT_THROW(m.modes(options).shapes(), InvalidArgument);
+  options.shapes = true;
+  const ModesResult r = m.modes(options);
+  ASSERT_EQ(r.shapes().cols(), static_cast<Index>(r.modes.size()));
+  for (std::size_t k = 0; k < r.modes.size(); ++k) EXPECT_EQ(ComplexVector(r.shapes().col(static_cast<Index>(k))), r.modes[k].shape);
+  std::ostringstream text;
+  text << r;
+  EXPECT_NE(text.str().find("complete: found 5, counted 5"), std::string::npos) << text.str();
 }
 
 // What the file declares is no echo of the exact solver alone: finite elements of high degree have it, too.

@@ -9,7 +9,6 @@
 #include "gyromode/lapack/small.h"
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/modes/modes.h"
-#include "gyromode/modes/modes.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
 #include "gyromode/modes/modes.h"
-#include "gyromode/modes/modes.h"
 
 #include <gtest/gtest.h>
 

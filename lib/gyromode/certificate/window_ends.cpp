@@ -39,7 +39,7 @@ class Ends {
   Index expected(double omega) const {
     Index n = s_.negative_at_zero();
     for (const CountedRoot& r : *all_) {
-      if (!r.zero && r.omega < omega) n += s_.direction() * r.energy_sign;
+      if (!r.zero && r.omega < omega) n += Index{s_.direction()} * r.energy_sign;
     }
     return n;
   }

@@ -25,7 +25,7 @@ bool hidden_applies(const Component& component, Method method) {
 
 void require_reversing_symmetry(const Component& component, const Labels& labels) {
   if (component.quadrature() || component.hidden_quadrature()) return;
-  const std::string first = labels[static_cast<std::size_t>(component.coordinates.front())];
+  const std::string& first = labels[static_cast<std::size_t>(component.coordinates.front())];
   const std::string why =
       component.search
           ? fmt::format("the nearest reflection breaks the commutation rules by {:.2g} of ‖K‖ and ‖G‖, where rounding explains {:.2g}",

@@ -13,7 +13,9 @@ Model::Model(FirstOrderSystem system) : Model(std::make_shared<FirstOrderModel>(
 Model::Model(SpinFamily family, double spin_of_axes) : Model(std::make_shared<MatricesModel>(std::move(family), spin_of_axes), "matrices") {
   spin = spin_of_axes;
 }
-Model::Model(Spacecraft spacecraft) : Model(std::make_shared<SpacecraftModel>(spacecraft), "spacecraft") { spin = spacecraft.spin(); }
+Model::Model(Spacecraft spacecraft) : Model(std::make_shared<SpacecraftModel>(std::move(spacecraft)), "spacecraft") {
+  spin = static_cast<const SpacecraftModel&>(*body).spacecraft().spin();
+}
 
 Index Model::size() const { return body->size(); }
 const Labels& Model::labels() const { return body->labels(); }

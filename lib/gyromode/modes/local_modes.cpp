@@ -161,7 +161,7 @@ std::vector<ComponentSeenFrom::Local> ComponentSeenFrom::locals(const Scales& s,
       better = spanned(s, turned_to_null(scaled_columns(s, omega), unscaled, taken));
       found = take_null_vectors(s, better, omega);
       if (!found.empty())
-        v = std::move(better);
+        v = better;
       else if (!(better.smallest <= worth_a_look))
         break;
     }

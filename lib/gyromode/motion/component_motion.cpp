@@ -11,8 +11,8 @@ namespace gyromode {
 
 namespace {
 
-State minus(State a, const State& b) { return {a.q - b.q, a.qdot - b.qdot}; }
-State plus(State a, const State& b) { return {a.q + b.q, a.qdot + b.qdot}; }
+State minus(const State& a, const State& b) { return {a.q - b.q, a.qdot - b.qdot}; }
+State plus(const State& a, const State& b) { return {a.q + b.q, a.qdot + b.qdot}; }
 
 }  // namespace
 
