@@ -92,16 +92,17 @@ std::vector<BoomPoint> points_of(const std::vector<std::string>& texts) {
   return points;
 }
 
-Vector frequency_grid(const std::string& option, const std::string& text) {
-  const std::size_t first = text.find(':'), second = first == std::string::npos ? first : text.find(':', first + 1);
-  if (second == std::string::npos) throw UsageError(fmt::format("{} {}: A:B:N was expected, such as 1Hz:50Hz:200", option, text));
-  const double a = frequency_option(option, text.substr(0, first)),
-               b = frequency_option(option, text.substr(first + 1, second - first - 1));
-  const auto n = whole_number(text.substr(second + 1));
-  if (!n || *n < 2 || *n > 1000000)
-    throw UsageError(fmt::format("{} {}: a number of points from 2 to 1000000 was expected at the end", option, text));
-  if (!(a >= 0) || !(b > a)) throw UsageError(fmt::format("{} {}: 0 ≤ A < B was expected", option, text));
-  return Vector::LinSpaced(static_cast<Index>(*n), a, b);
+Labels labels_of(const std::string& list, const Labels& labels) {
+  Labels chosen;
+  const std::vector<std::string_view> known(labels.begin(), labels.end());
+  std::istringstream words(list);
+  for (std::string label; std::getline(words, label, ',');) {
+    if (std::find(labels.begin(), labels.end(), label) == labels.end())
+      throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model: did you mean '{}'?", label, nearest(label, known)));
+    if (std::find(chosen.begin(), chosen.end(), label) != chosen.end()) throw UsageError(fmt::format("--keep: '{}' is given twice", label));
+    chosen.push_back(label);
+  }
+  return chosen;
 }
 
 }  // namespace gyromode::app

@@ -19,7 +19,7 @@ Vector amplitude_of(const std::vector<std::string>& texts, const Labels& labels)
 /// "cable1@0.5", "beam1@1", "mass2".
 std::vector<BoomPoint> points_of(const std::vector<std::string>& texts);
 
-/// "A:B:N": N frequencies from A to B, both included; each bound with its own unit. Throws UsageError.
-Vector frequency_grid(const std::string& option, const std::string& text);
+/// "LABEL,LABEL": labels of the model, each once. Throws UsageError.
+Labels labels_of(const std::string& list, const Labels& labels);
 
 }  // namespace gyromode::app

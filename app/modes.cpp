@@ -1,17 +1,15 @@
 #include "errors.h"
 #include "job.h"
+#include "load.h"
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
 #include "gyromode/models/model_kind.h"
-#include "gyromode/base/nearest.h"
 #include "gyromode/base/number.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
-#include <sstream>
 
 namespace gyromode::app {
 
@@ -31,20 +29,6 @@ struct Options {
 };
 
 constexpr Index lowest_of_infinitely_many = 10;
-
-// Comma-separated labels of the model.
-Labels labels_of(const std::string& list, const Labels& labels) {
-  Labels chosen;
-  const std::vector<std::string_view> known(labels.begin(), labels.end());
-  std::istringstream words(list);
-  for (std::string label; std::getline(words, label, ',');) {
-    if (std::find(labels.begin(), labels.end(), label) == labels.end())
-      throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model: did you mean '{}'?", label, nearest(label, known)));
-    if (std::find(chosen.begin(), chosen.end(), label) != chosen.end()) throw UsageError(fmt::format("--keep: '{}' is given twice", label));
-    chosen.push_back(label);
-  }
-  return chosen;
-}
 
 // A spacecraft has infinitely many modes: how many of them.
 void bound(ModesOptions& options, const Options& o) {
@@ -74,18 +58,10 @@ ExitCode run(const Options& given) {
   options.shapes = o.shapes || format == Format::svg;
   const ModesResult result = job.answer([&](const Model& m) { return m.modes(options); });
   o.output.write(document(job.model(), result, job.timings(), format, o.schema));
-  const Coverage& c = result.coverage;
-  if (!c.interrupted && (c.window.a != c.requested.a || (c.window.b != c.requested.b && !c.requested.open()))) {
-    o.output.say(fmt::format("an end of the window falls on a mode: [{:.17g}, {:.17g}) rad/s was used", c.window.a, c.window.b));
-  }
-  if (o.lowest && static_cast<Index>(result.modes.size()) > *o.lowest) {
-    Index vibrations = 0;
-    for (const Mode& m : result.modes) vibrations += m.kind != ModeKind::rigid_body ? 1 : 0;
-    if (vibrations > *o.lowest) o.output.say(fmt::format("mode {} coincides with the next: {} modes are listed", *o.lowest, vibrations));
-  }
-  if (c.interrupted) return job.interrupted();
-  if (c.status == CoverageStatus::complete) return ExitCode::done;
-  o.output.say(fmt::format("not certified complete: {}", c.reason));
+  for (const std::string& remark : result.remarks(o.lowest)) o.output.say(remark);
+  if (result.coverage.interrupted) return job.interrupted();
+  if (result.is_complete()) return ExitCode::done;
+  o.output.say(fmt::format("not certified complete: {}", result.coverage.reason));
   return ExitCode::not_certified;
 }
 

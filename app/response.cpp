@@ -1,5 +1,6 @@
 #include "errors.h"
 #include "job.h"
+#include "grids.h"
 #include "load.h"
 #include "verbs.h"
 
@@ -9,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 
 namespace gyromode::app {
@@ -25,24 +25,13 @@ struct Options {
   bool rates = false;
 };
 
-constexpr double most_rows = 5e6;
-
 Vector times_of(const Options& o) {
   if (!o.times.empty()) {
     if (o.until || o.step) throw UsageError("--times gives the times by itself: leave out --until and --step");
     return io::read_times(o.times);
   }
   if (!o.until || !o.step) throw UsageError("response needs times: --until T --step DT, or --times FILE");
-  if (!(*o.until >= 0) || !std::isfinite(*o.until)) throw UsageError(fmt::format("--until {}: a time ≥ 0 was expected", *o.until));
-  if (!(*o.step > 0) || !std::isfinite(*o.step))
-    throw UsageError(fmt::format("--step {}: a step above 0 was expected, so that times increase", *o.step));
-  const double steps = std::floor(*o.until / *o.step * (1 + 1e-12));
-  if (!(steps < most_rows))
-    throw UsageError(
-        fmt::format("--until {} --step {}: {:.3g} rows are more than the {:.0e} that are written", *o.until, *o.step, steps, most_rows));
-  Vector t(static_cast<Index>(steps) + 1);
-  for (Index k = 0; k < t.size(); ++k) t(k) = static_cast<double>(k) * *o.step;
-  return t;
+  return time_grid(*o.until, *o.step);
 }
 
 ResponseReport moved(const Model& m, const Options& o, const Progress& progress) {
@@ -53,33 +42,6 @@ ResponseReport moved(const Model& m, const Options& o, const Progress& progress)
 
 FrequencyReport swept(const Model& m, const Options& o, const Progress& progress) {
   return m.frequency_response({amplitude_of(o.forces, m.labels()), frequency_grid("--frequencies", o.frequencies), progress});
-}
-
-void say_resonances(const FrequencyReport& r, const OutputOption& output) {
-  for (const FrequencyPoint& p : r.response.points) {
-    if (!p.participation || p.added || p.driven == Driven::no) continue;
-    output.say(fmt::format("ω = {:.17g} rad/s of the grid is {}, participation {:.1e}", p.omega,
-                           p.resonance()
-                               ? "a resonance: the response is unbounded there"
-                               : "that of a mode, and whether the force drives it cannot be told: the limit from both sides is given",
-                           *p.participation));
-  }
-}
-
-// Says what is not known well enough.
-bool certified(const ResponseReport& r, const OutputOption& output) {
-  constexpr double loose = 1e-6;  // of the motion; rad
-  if (!r.balance_closed) output.say("not certified: the index balance does not close, so some motion may be missing");
-  if (!(r.departure <= loose))
-    output.say(fmt::format(
-        "not certified: the parts add up to what sets them in motion to {:.1e} only: modes so close to each other are not told apart",
-        r.departure));
-  if (!(r.phase_error <= loose)) {
-    output.say(fmt::format(
-        "not certified: at t = {:g} phases are known to {:.1e} rad only, the error bound of a frequency times t: ask for less time",
-        r.history.t(r.history.t.size() - 1), r.phase_error));
-  }
-  return r.balance_closed && r.departure <= loose && r.phase_error <= loose;
 }
 
 ExitCode run(const Options& o) {
@@ -93,7 +55,7 @@ ExitCode run(const Options& o) {
   if (sweep) {
     const FrequencyReport report = job.answer([&](const Model& m) { return swept(m, o, job.progress()); });
     o.output.write(document(job.model(), report, job.timings(), o.output.chosen(Format::csv)));
-    say_resonances(report, o.output);
+    for (const std::string& remark : report.remarks()) o.output.say(remark);
     if (report.response.interrupted) return job.interrupted();
     return ExitCode::done;
   }
@@ -101,7 +63,8 @@ ExitCode run(const Options& o) {
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen(Format::csv)));
   if (!report.remark.empty()) o.output.say(report.remark);
   if (report.history.interrupted) return job.interrupted();
-  return certified(report, o.output) ? ExitCode::done : ExitCode::not_certified;
+  for (const std::string& doubt : report.doubts()) o.output.say("not certified: " + doubt);
+  return report.doubts().empty() ? ExitCode::done : ExitCode::not_certified;
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ std::vector<Row> growth_rows(const RowOptions& options) {
          count_modes(s, {0, 1});
        }},
       {"structure", [](const System& s) { analyse(s, HiddenSearch::always); }},
-      {"stability margin", [](const System& s) { stiffness_margin(s); }}};
+      {"stability margin", [](const System& s) { stiffness_margin(s, 0); }}};
   const auto of = [&](const char* what, const std::function<System(Index)>& made) {
     for (const Index order : {200, 400, 800, 1600}) {
       const Index n = scaled_order(order, options), half = scaled_order(order / 2, options);

@@ -24,7 +24,7 @@ struct Group {
 
 const std::vector<Group> groups = {
     {"a", quadrature_rows}, {"b", general_rows}, {"c", indefinite_rows}, {"d", certificate_rows}, {"e", process_rows},
-    {"f", spacecraft_rows}, {"g", hidden_rows},  {"h", certified_rows},  {"i", growth_rows},
+    {"f", spacecraft_rows}, {"g", hidden_rows},  {"h", certified_rows},  {"i", growth_rows},      {"j", sweep_rows},
 };
 
 void print(const std::string& text) {
@@ -69,9 +69,9 @@ int main(int argc, char** argv) {
   app.add_option("--process-repetitions", report.options.process_rounds, "the same for row e")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--only", only, "rows to run: a, b, c, d, e, f, g, h, i, accuracy")
+  app.add_option("--only", only, "rows to run: a, b, c, d, e, f, g, h, i, j, accuracy")
       ->delimiter(',')
-      ->check(CLI::IsMember({"a", "b", "c", "d", "e", "f", "g", "h", "i", "accuracy"}));
+      ->check(CLI::IsMember({"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "accuracy"}));
   app.add_option("--json", json_file, "write everything to this file");
   app.add_option("--program", report.options.program, "the program of row e")->capture_default_str();
   app.add_option("--model", report.options.model, "the model of row e")->capture_default_str();

@@ -41,5 +41,6 @@ std::vector<Row> spacecraft_rows(const RowOptions& options);   ///< f
 std::vector<Row> hidden_rows(const RowOptions& options);       ///< g
 std::vector<Row> certified_rows(const RowOptions& options);    ///< h
 std::vector<Row> growth_rows(const RowOptions& options);       ///< i
+std::vector<Row> sweep_rows(const RowOptions& options);        ///< j
 
 }  // namespace gyromode::bench

@@ -26,6 +26,7 @@ class Uncoupled : public Impedance {
     return {k_.asDiagonal() * re, k_.asDiagonal() * im, m_.asDiagonal() * re, m_.asDiagonal() * im, none, none};
   }
   CharacteristicProducts characteristic_products(const ComplexMatrix& x) const override {
+    if (x.cols() == 0) return {};
     return {k_.cast<Complex>().asDiagonal() * x, ComplexMatrix::Zero(x.rows(), x.cols()), m_.cast<Complex>().asDiagonal() * x};
   }
   ComplexMatrix form(const ComplexMatrix& x, double omega) const override {

@@ -296,6 +296,30 @@ TEST(Result, FirstOrderConstantSolutionsAreRigid) {
   EXPECT_EQ(r.coverage.status, CoverageStatus::complete);
 }
 
+// ---- interrupts
+
+// Of uncoupled oscillators, each a component: those solved when work was stopped are there, and nothing is claimed of
+// the whole.
+TEST(Result, StoppedBetweenComponents) {
+  ModesOptions options;
+  Index solved = 0;
+  options.progress.tell = [&](std::string_view what, Index done, Index all) {
+    EXPECT_EQ(what, "components");
+    EXPECT_EQ(all, 5);
+    solved = done;
+  };
+  options.progress.stop = [&] { return solved >= 2; };
+  const ModesResult r = find_modes(ladder(), options);
+  EXPECT_EQ(r.modes.size(), 2u);
+  EXPECT_TRUE(r.coverage.interrupted);
+  EXPECT_EQ(r.coverage.status, CoverageStatus::not_counted);
+  EXPECT_EQ(r.coverage.reason, "interrupted: 2 of 5 components were solved");
+  EXPECT_EQ(r.stability, Stability::unknown);
+  EXPECT_FALSE(r.index_balance.closed);
+  options.progress.stop = [] { return true; };
+  EXPECT_THROW(find_modes(ladder(), options), Interrupted);
+}
+
 // ---- refusals
 
 std::string refusal(const System& s, Method method) {

@@ -244,6 +244,6 @@ TEST(StabilityMargin, PairAndStiffness) {
   ASSERT_TRUE(pair);
   EXPECT_NEAR((*pair)[0], 1.0766275913, 1e-9);
   EXPECT_NEAR((*pair)[1], 1.8576525589, 1e-9);
-  EXPECT_NEAR(*stiffness_margin(s), -1, 1e-15);
+  EXPECT_NEAR(*stiffness_margin(s, 0), -1, 1e-15);
   EXPECT_FALSE(nearest_opposite_pair(find_modes(System(Matrix::Identity(2, 2), turning(1), diagonal(1, 4))).modes));
 }

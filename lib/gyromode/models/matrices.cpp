@@ -29,7 +29,7 @@ CountResult MatricesModel::count(const Window& window) const { return count_mode
 StabilityReport MatricesModel::stability() const {
   StabilityReport r = ModelKind::stability();
   r.opposite = nearest_opposite_pair(r.result.modes);
-  r.stiffness = stiffness_margin(system_);
+  r.stiffness = stiffness_margin(system_, r.result.stiffness.zero);
   return r;
 }
 

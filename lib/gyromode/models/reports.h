@@ -76,12 +76,19 @@ struct ResponseReport {
   double phase_error = 0;                    ///< rad, at the last time
   bool balance_closed = false;               ///< whether the roots account for all of the motion
   std::string remark;                        ///< for people; may be empty
+
+  /// Why the motion is not certified, for people; empty where it is: the balance closes, departure and phase error are
+  /// up to 10⁻⁶.
+  std::vector<std::string> doubts() const;
 };
 
 /// H(ω)⁻¹f over a grid of frequencies.
 struct FrequencyReport {
   Labels labels;               ///< of the entries of q
   FrequencyResponse response;  ///< point by point
+
+  /// What is to be said of points of the grid that are on a mode, for people.
+  std::vector<std::string> remarks() const;
 };
 
 }  // namespace gyromode

@@ -68,9 +68,11 @@ ModesResult modes_of(const CountedSpectrum& s, const ModesOptions& options) {
     listed.push_back(found.roots[i]);
     r.modes.push_back(found.mode(i, options.shapes));
   }
+  const bool interrupted = r.coverage.interrupted;  // as the engine says
   r.coverage = known.b < ends.window.b ? part_of(known, listed, s.unit()) : coverage_of(s, ends, listed);
   r.coverage.window = given(s, r.coverage.window, options.window);
   r.coverage.requested = options.window;
+  r.coverage.interrupted = r.coverage.interrupted || interrupted;
   std::sort(r.unstable.begin(), r.unstable.end(),
             [](const UnstableMode& a, const UnstableMode& b) { return a.growth_rate > b.growth_rate; });
   return r;

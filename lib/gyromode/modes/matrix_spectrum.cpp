@@ -86,7 +86,9 @@ Index MatrixSpectrum::missed_by_signs(const Window& range) const {
   return missed;
 }
 
-std::string MatrixSpectrum::open_reason() const { return "the index balance does not close: " + solved_.open_reason(); }
+std::string MatrixSpectrum::open_reason() const {
+  return (solved_.interrupted ? "" : "the index balance does not close: ") + solved_.open_reason();
+}
 
 // Beyond some order no factorisation is spent on gaps where Parseval's identity has shown that no root is listed twice:
 // with as many as there must be none is missing then.

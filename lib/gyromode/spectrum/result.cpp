@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
 
 namespace gyromode {
@@ -46,6 +47,18 @@ ComplexMatrix ModesResult::shapes() const {
     if (shape.size() == 0) throw InvalidArgument("shapes were not asked for: ModesOptions::shapes");
     all.col(k) = shape;
   }
+  return all;
+}
+
+std::vector<std::string> ModesResult::remarks(std::optional<Index> lowest) const {
+  std::vector<std::string> all;
+  const Window &used = coverage.window, &asked = coverage.requested;
+  if (!coverage.interrupted && (used.a != asked.a || (used.b != asked.b && !asked.open()))) {
+    all.push_back(fmt::format("an end of the window falls on a mode: [{:.17g}, {:.17g}) rad/s was used", used.a, used.b));
+  }
+  const Index vibrations = std::count_if(modes.begin(), modes.end(), [](const Mode& m) { return m.kind != ModeKind::rigid_body; });
+  if (lowest && vibrations > *lowest)
+    all.push_back(fmt::format("mode {} coincides with the next: {} modes are listed", *lowest, vibrations));
   return all;
 }
 

@@ -110,6 +110,8 @@ struct ModesResult {
   /// The shapes of the modes, n × (number of modes), in the order of the labels. @throws InvalidArgument where they
   /// were not asked for
   ComplexMatrix shapes() const;
+  /// What is to be said of windows that were moved, and of more modes than the `lowest` asked for, for people.
+  std::vector<std::string> remarks(std::optional<Index> lowest = std::nullopt) const;
 };
 
 /// A line a mode, ω in rad per unit of time with energy sign and kind, then verdict and coverage.

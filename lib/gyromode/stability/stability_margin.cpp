@@ -1,7 +1,6 @@
 #include "gyromode/stability/stability_margin.h"
 
 #include "gyromode/lapack/symmetric.h"
-#include "gyromode/structure/inertia_of_k.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +19,9 @@ std::optional<std::array<double, 2>> nearest_opposite_pair(const std::vector<Mod
   return nearest;
 }
 
-std::optional<double> stiffness_margin(const System& system) {
+std::optional<double> stiffness_margin(const System& system, Index zero) {
   Vector values = lapack::symmetric_definite_eigen(system.stiffness(), system.mass()).values;
   std::sort(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const Index zero = inertia_of_k(system.stiffness()).zero;
   if (zero >= values.size()) return std::nullopt;
   return values(zero);
 }

@@ -12,9 +12,9 @@ namespace gyromode {
 /// begins where such a pair meets. Nothing where all energies have one sign.
 std::optional<std::array<double, 2>> nearest_opposite_pair(const std::vector<Mode>& modes);
 
-/// The eigenvalue of the resting problem K x = λ M x nearest to zero, of those that are not zero (K has as many zero
-/// ones as its null space has dimensions): divergence begins, or ends, where one passes zero. Nothing where all are
-/// zero.
-std::optional<double> stiffness_margin(const System& system);
+/// The eigenvalue of the resting problem K x = λ M x nearest to zero, of those that are not zero: `zero` is the
+/// dimension of null(K) (ModesResult::stiffness): divergence begins, or ends, where one passes zero. Nothing where all
+/// are zero.
+std::optional<double> stiffness_margin(const System& system, Index zero);
 
 }  // namespace gyromode

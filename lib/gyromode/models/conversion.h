@@ -1,0 +1,32 @@
+#pragma once
+
+#include "gyromode/formats/matrix_market.h"
+#include "gyromode/models/model.h"
+
+#include <string>
+#include <vector>
+
+namespace gyromode {
+
+/// A matrix that `convert` writes.
+struct ConvertedMatrix {
+  std::string name;                       ///< of the file, without .mtx
+  Matrix matrix;                          ///< itself
+  Symmetry symmetry = Symmetry::general;  ///< that the file declares
+  std::string meaning;                    ///< for the comment of the file
+};
+
+/// What `convert` writes.
+struct Conversion {
+  std::vector<ConvertedMatrix> matrices;  ///< one a file
+  std::string remark;                     ///< for people; may be empty
+};
+
+/// The matrices of a model: M, G, K; I, G. `realified`: also W, n × n, whose eigenvalues are ω²: symmetric in the
+/// quadrature class, visible or hidden, and for K ≥ 0 (theory §3a), else upper Hessenberg (theory §3e).
+/// `transformation`: with it U = [displacement velocity], n × 2n, D and Q where W = DᵀD, Q1 and Q2 where W is not
+/// symmetric.
+/// @throws NotApplicable for `realified` of a model of first order, or a model that is not made of matrices
+Conversion converted(const Model& model, bool realified, bool transformation);
+
+}  // namespace gyromode

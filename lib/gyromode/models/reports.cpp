@@ -1,0 +1,34 @@
+#include "gyromode/models/reports.h"
+
+#include <fmt/format.h>
+
+namespace gyromode {
+
+std::vector<std::string> ResponseReport::doubts() const {
+  constexpr double loose = 1e-6;  // of the motion; rad
+  std::vector<std::string> all;
+  if (!balance_closed) all.push_back("the index balance does not close, so some motion may be missing");
+  if (!(departure <= loose)) {
+    all.push_back(fmt::format(
+        "the parts add up to what sets them in motion to {:.1e} only: modes so close to each other are not told apart", departure));
+  }
+  if (!(phase_error <= loose)) {
+    const double last = history.t.size() > 0 ? history.t(history.t.size() - 1) : 0;
+    all.push_back(fmt::format("at t = {:g} phases are known to {:.1e} rad only, the error bound of a frequency times t: ask for less time",
+                              last, phase_error));
+  }
+  return all;
+}
+
+std::vector<std::string> FrequencyReport::remarks() const {
+  std::vector<std::string> all;
+  for (const FrequencyPoint& p : response.points) {
+    if (!p.participation || p.added || p.driven == Driven::no) continue;
+    const char* what = p.resonance() ? "a resonance: the response is unbounded there"
+                                     : "that of a mode, and whether the force drives it cannot be told: the limit from both sides is given";
+    all.push_back(fmt::format("ω = {:.17g} rad/s of the grid is {}, participation {:.1e}", p.omega, what, *p.participation));
+  }
+  return all;
+}
+
+}  // namespace gyromode
