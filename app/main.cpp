@@ -1,4 +1,3 @@
-#include "progress.h"
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
@@ -27,7 +26,6 @@ std::vector<std::string_view> verbs_of(const CLI::App& program) {
 int main(int argc, char** argv) {
   using namespace gyromode::app;
   gyromode::lapack::keep_freed_memory();
-  listen_to_interrupts();
   CLI::App program{"gyromode: the vibration modes of what spins, M q̈ + G q̇ + K q = 0 with G skew, counted and certified.", "gyromode"};
   program.set_version_flag("--version", std::string("gyromode ") + GYROMODE_VERSION);
   program.require_subcommand(1);

@@ -74,19 +74,19 @@ ParameterAxis axis_of(const Model& model, const AxisText& text) {
   return axis;
 }
 
-StabilityReport asked(const Model& model, const std::vector<AxisText>& texts, const Progress& progress) {
+StabilityReport asked(const Model& model, const std::vector<AxisText>& texts, const Job& job) {
   std::vector<ParameterAxis> axes;
   for (const AxisText& text : texts) axes.push_back(axis_of(model, text));
   StabilityReport report = model.stability();
   for (const ParameterAxis& axis : axes) report.varied.push_back(axis.keys);
-  if (!axes.empty()) report.map = model.stability_over(axes, progress);
+  if (!axes.empty()) report.map = model.stability_over(axes, job.progress());
   return report;
 }
 
 ExitCode run(const Options& o) {
   const std::vector<AxisText> axes = axes_of(o.vary);
   Job job(o.source, o.output);
-  const StabilityReport report = job.answer([&](const Model& m) { return asked(m, axes, job.progress()); });
+  const StabilityReport report = job.answer([&](const Model& m) { return asked(m, axes, job); });
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
   if (report.map && report.map->interrupted) return job.interrupted();
   if (report.result.stability != Stability::unknown) return ExitCode::done;

@@ -247,5 +247,35 @@ class Spacecraft(Program):
                 self.assertAlmostEqual(a, b, delta=1e-5)
 
 
+class Documents(Program):
+    def rows(self, model, *arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "m.toml"
+            file.write_text(model)
+            result = run("modes", file, *arguments)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            return result.stdout
+
+    def test_every_row_of_a_csv_has_the_fields_of_its_head(self):
+        for model, arguments in (
+            ('kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[-3, 0.5], [0.5, 5]]\n', ["--keep", "q1"]),
+            ('kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[-3, 0.5], [0.5, 5]]\n', ["--keep", "q1", "--shapes"]),
+            ('kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[-1, 0], [0, -2]]\n', ["--shapes"]),
+            ('kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[-1, 0], [0, -2]]\n', []),
+        ):
+            lines = self.rows(model, *arguments, "--format", "csv").strip().split("\n")
+            self.assertGreater(len(lines), 1)
+            self.assertEqual({line.count(",") for line in lines}, {lines[0].count(",")}, lines)
+
+    def test_blocks_have_a_row_a_mode(self):
+        r = json.loads(run("modes", MODELS / "mms.toml", "--lowest", 3, "--shapes", "--schema", 2, "--format", "json").stdout)
+        self.assertEqual(r["schema"], "gyromode/modes/2")
+        self.assertEqual(len(r["shapes"]["re"]), len(r["modes"]))
+        self.assertEqual(len(r["geometry"]["displacements"]), len(r["modes"]))
+        self.assertNotIn("shape", r["modes"][-1])
+        kept = json.loads(self.rows('kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[-3, 0.5], [0.5, 5]]\n', "--keep", "q1", "--format", "json"))
+        self.assertNotIn("shape", kept["unstable"][0])
+
+
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0]])

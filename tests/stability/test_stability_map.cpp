@@ -214,6 +214,36 @@ TEST(Parameters, OfMatrices) {
   EXPECT_EQ(system(without->with({{"stiffness[0][1]", 0.25}})).stiffness(), diagonal(-5, 0));
 }
 
+// Every mistake that a caller can make is an exception, and no entry is given two values.
+TEST(Parameters, ValuesThatContradictEachOther) {
+  const MatricesModel model(SpinFamily{Matrix::Identity(2, 2), turning(0.5), turning(2), diagonal(4, 9), {}, {}}, 3);
+  EXPECT_EQ(model.with({{"gyroscopic[*][*]", 7}, {"spin", 0}})->second_order()->gyroscopic()(0, 1), 7);
+  EXPECT_THROW(model.with({{"gyroscopic[0][1]", 7}, {"gyroscopic[1][0]", 7}}), InvalidArgument);
+  EXPECT_NO_THROW(model.with({{"stiffness[0][1]", 1}, {"stiffness[1][0]", 1}}));
+  EXPECT_THROW(model.with({{"spin", 1}, {"spin", 2}}), InvalidArgument);
+  const Model craft = read_model(GYROMODE_SOURCE_DIR "/models/geos.toml");
+  EXPECT_THROW(craft.with({{"cable[*].length", 20}, {"cable[0].length", 21}}), InvalidArgument);
+  EXPECT_THROW(require_parameter(*craft.body, "body.mass,cable[0].length"), InvalidArgument);  // kg and m
+  EXPECT_THROW(MatricesModel(SpinFamily{Matrix::Identity(2, 2), turning(1), Matrix::Zero(3, 3), diagonal(4, 9), {}, {}}, 1), LawBroken);
+}
+
+TEST(Parameters, AfterCouplingsWereLeftOut) {
+  const Model whole(System(Matrix::Identity(2, 2), turning(1), Matrix{{4, 0.1}, {0.1, 9}}));
+  const Model without = whole.without_couplings(0.05).with({{"stiffness[0][1]", 0.2}});
+  EXPECT_EQ(without.body->second_order()->stiffness()(0, 1), 0);
+  EXPECT_NEAR(without.ignored->largest, 0.2 / 9, 1e-15);
+  const FirstOrderModel first(FirstOrderSystem(Matrix{{1, 0.01}, {0.01, 1}}, turning(2)));
+  EXPECT_EQ(first.without_couplings(0.1).first->parameter("inertia[0][1]")->value, 0.01);
+}
+
+TEST(StabilityMap, RefusesAxesThatAreNone) {
+  const Model model = read_model(GYROMODE_SOURCE_DIR "/models/three_springs.toml");
+  EXPECT_THROW(model.stability_over({}), InvalidArgument);
+  EXPECT_THROW(model.stability_over({{"spin", {}}}), InvalidArgument);
+  EXPECT_THROW(model.stability_over({{"spin", {2, 1}}}), InvalidArgument);
+  EXPECT_THROW(model.stability_over({{"spin", {1, 2}}, {"mass[0][0]", {1, 2}}, {"mass[1][1]", {1, 2}}}), InvalidArgument);
+}
+
 TEST(Parameters, OfAFirstOrderModel) {
   const FirstOrderModel model(FirstOrderSystem(Matrix::Identity(2, 2), turning(2)));
   EXPECT_EQ(model.parameter("gyroscopic[1][0]")->value, -model.parameter("gyroscopic[0][1]")->value);

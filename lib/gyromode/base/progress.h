@@ -8,7 +8,7 @@
 namespace gyromode {
 
 /// How long work tells where it is, and how it is told to stop. Both may be left empty. `tell` and `stop` are called
-/// from the thread that asked for the work, at most some thousand times a second.
+/// from the thread that asked for the work, once a piece of it (a mode, a cell, a time): they should be quick.
 ///
 /// Work that is stopped ends with what is known by then, marked as interrupted in its result; where nothing is known it
 /// throws Interrupted.

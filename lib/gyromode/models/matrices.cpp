@@ -106,4 +106,12 @@ std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> FirstOrderModel::w
   return {std::move(without), ignored_couplings(system_, tolerance)};
 }
 
+std::optional<IgnoredCouplings> MatricesModel::left_out() const {
+  return left_out_.whole ? std::optional(ignored_couplings(left_out_.whole->system_, left_out_.tolerance)) : std::nullopt;
+}
+
+std::optional<IgnoredCouplings> FirstOrderModel::left_out() const {
+  return left_out_.whole ? std::optional(ignored_couplings(left_out_.whole->system_, left_out_.tolerance)) : std::nullopt;
+}
+
 }  // namespace gyromode

@@ -40,6 +40,7 @@ class MatricesModel : public ModelKind {
   const System* second_order() const override { return &system_; }
   std::vector<NamedMatrix> matrices() const override;
   std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> without_couplings(double tolerance) const override;
+  std::optional<IgnoredCouplings> left_out() const override;
 
  private:
   SpinFamily family() const;
@@ -67,6 +68,7 @@ class FirstOrderModel : public ModelKind {
   std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
   std::vector<NamedMatrix> matrices() const override;
   std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> without_couplings(double tolerance) const override;
+  std::optional<IgnoredCouplings> left_out() const override;
 
  private:
   FirstOrderSystem system_;

@@ -21,6 +21,11 @@ void require(bool named, const ParameterValue& value) {
   if (!named) throw InvalidArgument(fmt::format("'{}' is no parameter of the model", value.key));
 }
 
+void require_kept(bool kept, const ParameterValue& value) {
+  if (!kept)
+    throw InvalidArgument(fmt::format("'{}' is given two values at once: another key names it, or its mirror image, too", value.key));
+}
+
 // The parameters of the whole model, where couplings were left out, and those couplings left out again.
 template <class Kind>
 std::shared_ptr<const ModelKind> with_couplings_left_out(const CouplingsLeftOut<Kind>& left_out,
@@ -60,16 +65,19 @@ std::shared_ptr<const ModelKind> MatricesModel::with(const std::vector<Parameter
     if (is_spin) spin = v.value;
     require(is_spin || set_entries(entries_of(f), v), v);
   }
+  for (const ParameterValue& v : values) require_kept(v.key == "spin" && family_ ? spin == v.value : entries_have(entries_of(f), v), v);
   if (family_) return std::make_shared<MatricesModel>(std::move(f), spin);
   return std::make_shared<MatricesModel>(f.at(0));
 }
 
 std::vector<Parameter> FirstOrderModel::parameters() const {
+  if (left_out_.whole) return left_out_.whole->parameters();
   Matrix inertia = system_.inertia(), gyroscopic = system_.gyroscopic();
   return listed_entries({{"inertia", &inertia}, {"gyroscopic", &gyroscopic, true}});
 }
 
 std::optional<Parameter> FirstOrderModel::parameter(std::string_view key) const {
+  if (left_out_.whole) return left_out_.whole->parameter(key);
   Matrix inertia = system_.inertia(), gyroscopic = system_.gyroscopic();
   return entry_named({{"inertia", &inertia}, {"gyroscopic", &gyroscopic, true}}, key);
 }
@@ -77,7 +85,9 @@ std::optional<Parameter> FirstOrderModel::parameter(std::string_view key) const 
 std::shared_ptr<const ModelKind> FirstOrderModel::with(const std::vector<ParameterValue>& values) const {
   if (left_out_.whole) return with_couplings_left_out(left_out_, values);
   Matrix inertia = system_.inertia(), gyroscopic = system_.gyroscopic();
-  for (const ParameterValue& v : values) require(set_entries({{"inertia", &inertia}, {"gyroscopic", &gyroscopic, true}}, v), v);
+  const std::vector<MatrixOfParameters> entries{{"inertia", &inertia}, {"gyroscopic", &gyroscopic, true}};
+  for (const ParameterValue& v : values) require(set_entries(entries, v), v);
+  for (const ParameterValue& v : values) require_kept(entries_have(entries, v), v);
   return std::make_shared<FirstOrderModel>(FirstOrderSystem(std::move(inertia), std::move(gyroscopic), system_.labels()));
 }
 

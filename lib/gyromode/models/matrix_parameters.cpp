@@ -17,11 +17,13 @@ void each_named(const MatrixOfParameters& m, std::string_view key, See&& see) {
     return index < 0 ? std::pair<Index, Index>(0, m.matrix->rows())
                      : std::pair<Index, Index>(index, std::min<Index>(index + 1, m.matrix->rows()));
   };
+  const bool several = (*at)[0] < 0 || (*at)[1] < 0;
   const auto [i0, i1] = range((*at)[0]);
   const auto [j0, j1] = range((*at)[1]);
   for (Index i = i0; i < i1; ++i) {
     for (Index j = j0; j < j1; ++j) {
-      if (!m.skew || i != j) see(i, j);
+      // [*] names an entry and its mirror image once, as the one above the diagonal.
+      if (!m.skew || (several ? i < j : i != j)) see(i, j);
     }
   }
 }
@@ -64,6 +66,13 @@ bool set_entries(const std::vector<MatrixOfParameters>& matrices, const Paramete
     });
   }
   return any;
+}
+
+bool entries_have(const std::vector<MatrixOfParameters>& matrices, const ParameterValue& value) {
+  bool all = true;
+  for (const MatrixOfParameters& m : matrices)
+    each_named(m, value.key, [&](Index i, Index j) { all = all && (*m.matrix)(i, j) == value.value; });
+  return all;
 }
 
 }  // namespace gyromode

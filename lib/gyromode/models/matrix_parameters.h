@@ -27,4 +27,7 @@ std::optional<Parameter> entry_named(const std::vector<MatrixOfParameters>& matr
 /// Gives the entries that a key names a value; false where it names none.
 bool set_entries(const std::vector<MatrixOfParameters>& matrices, const ParameterValue& value);
 
+/// Whether all entries that a key names have that value: not where a later value of several took one of them.
+bool entries_have(const std::vector<MatrixOfParameters>& matrices, const ParameterValue& value);
+
 }  // namespace gyromode

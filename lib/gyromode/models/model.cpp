@@ -33,8 +33,11 @@ std::vector<Parameter> Model::parameters() const { return body->parameters(); }
 Model Model::with(const std::vector<ParameterValue>& values) const {
   Model m = *this;
   m.body = body->with(values);
-  if (spin) m.spin = m.body->parameter("spin")->value;
+  const std::optional<Parameter> at = m.body->parameter("spin");
+  m.spin = at ? std::optional(at->value) : std::nullopt;
+  m.ignored = m.body->left_out();
   m.known = {};
+  m.sha256.clear();
   return m;
 }
 

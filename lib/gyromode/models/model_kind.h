@@ -58,6 +58,8 @@ class ModelKind {
     const Matrix* matrix = nullptr;
   };
   virtual std::vector<NamedMatrix> matrices() const { return {}; }
+  /// What was left out, of a model without its weak couplings.
+  virtual std::optional<IgnoredCouplings> left_out() const { return std::nullopt; }
   /// The same model in finite elements.
   virtual std::shared_ptr<const ModelKind> discretised(std::optional<Index> elements) const;
   /// The same model without its couplings up to `tolerance`, and what was left out.

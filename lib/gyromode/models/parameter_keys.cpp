@@ -62,6 +62,9 @@ Parameter require_parameter(const ModelKind& model, const std::string& keys) {
       if (views.empty()) throw InvalidArgument(fmt::format("'{}' is no parameter: this kind of model has none", key));
       throw InvalidArgument(fmt::format("'{}' is no parameter of the model: did you mean '{}'?", key, nearest(key, views)));
     }
+    if (first && first->dimension != found->dimension) {
+      throw InvalidArgument(fmt::format("'{}' and '{}' measure different things: one value cannot be both", first->key, found->key));
+    }
     if (!first) first = found;
   }
   if (!first) throw InvalidArgument("a key was expected, such as spin or body.inertia[2]");

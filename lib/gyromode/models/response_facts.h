@@ -11,6 +11,7 @@ namespace gyromode {
 /// InvalidArgument where it grows beyond what numbers hold.
 template <class Motion>
 void add_facts(const Motion& r, const Response& inner, const MotionRequest& request, ResponseReport& report) {
+  if (request.times.size() == 0) throw InvalidArgument("a motion over no times was asked for");
   report.history = r.at(request.times, request.progress);
   const Vector& times = report.history.t;
   if (times.size() == 0) throw Interrupted();

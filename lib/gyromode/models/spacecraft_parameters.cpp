@@ -78,6 +78,13 @@ std::shared_ptr<const ModelKind> SpacecraftModel::with(const std::vector<Paramet
     });
     if (!any) throw InvalidArgument(fmt::format("'{}' is no parameter of the model", v.key));
   }
+  for (const ParameterValue& v : values) {
+    each_parameter(parts, [&](const std::string& key, Dimension, double& x, double*) {
+      if (names(v.key, key) && x != v.value) {
+        throw InvalidArgument(fmt::format("'{}' is given two values at once: another key names it, too", key));
+      }
+    });
+  }
   return std::make_shared<SpacecraftModel>(
       Spacecraft(parts.spin, parts.body, std::move(parts.cables), std::move(parts.beams), std::move(parts.masses)));
 }

@@ -60,6 +60,7 @@ ModesResult modes_of(const CountedSpectrum& s, const ModesOptions& options) {
   const WindowEnds ends = ends_of(s, options.lowest ? lowest.window : asked);
   const RootRange found = options.lowest ? lowest.found : s.roots(ends.window, options.progress);
   const Window known{ends.window.a, std::min(ends.window.b, found.known_below)};
+  if (found.known_below < ends.window.b && !(known.b > known.a)) throw Interrupted();
   std::vector<CountedRoot> listed;
   ModesResult r;
   s.describe(r, options.shapes);

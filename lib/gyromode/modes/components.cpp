@@ -4,6 +4,7 @@
 #include "gyromode/base/rounding.h"
 #include "gyromode/refinement/correct.h"
 #include "gyromode/refinement/polish.h"
+#include "gyromode/structure/inertia_of_k.h"
 #include "gyromode/refinement/undecided_flutter.h"
 #include "gyromode/dense/refinement/own_scale.h"
 
@@ -69,6 +70,16 @@ bool better(const SolvedComponent& a, const SolvedComponent& b) {
 // A solver of one scale loses roots far below the largest where spin is strong or K graded and indefinite. Where the
 // result does not convince, the general solver has a try (λ of the first-order form keeps roots that ω² loses), and
 // then, in a small system, every root is found in its own scale.
+// A further attempt; nothing where work was stopped meanwhile: what is there stands.
+template <class Attempt>
+std::optional<SolvedComponent> further(Attempt&& attempt) {
+  try {
+    return attempt();
+  } catch (const Interrupted&) {
+    return std::nullopt;
+  }
+}
+
 template <class AnySystem>
 SolvedComponent best_component(const AnySystem& system, const Component& component, Method method, const Progress& progress) {
   SolvedComponent best = solved_component(system, component, method, progress);
@@ -80,16 +91,16 @@ SolvedComponent best_component(const AnySystem& system, const Component& compone
     best.impedance.to_given(known);
     known.zero_shapes = h.own_shapes(known.zero_shapes);
     if (auto roots = dense::solve_in_own_scale(h, known)) {
-      SolvedComponent again = certified(std::move(h), std::move(*roots), progress);
-      if (better(again, best)) best = std::move(again);
+      auto again = further([&] { return certified(std::move(h), std::move(*roots), progress); });
+      if (again && better(*again, best)) best = std::move(*again);
     }
   }
   const bool by_partition = component.quadrature() || component.hidden_quadrature();
   if (convincing(best) || (best.spectrum.stiffness_negative == 0 && component.quadrature()) || !by_partition) return best;
-  SolvedComponent again = solved_component(system, component, Method::general, progress);
-  if (!better(again, best)) return best;
-  again.spectrum.solver += " (quadrature solver did not convince)";
-  return again;
+  auto again = further([&] { return solved_component(system, component, Method::general, progress); });
+  if (!again || !better(*again, best)) return best;
+  again->spectrum.solver += " (quadrature solver did not convince)";
+  return std::move(*again);
 }
 
 // A reversing symmetry is of use to two methods only.
@@ -100,6 +111,9 @@ HiddenSearch search_for(Method method) {
 
 Structure structure_for(const System& system, Method method) { return analyse(system, search_for(method)); }
 Structure structure_for(const FirstOrderSystem& system, Method) { return analyse(system); }
+
+std::optional<InertiaOfK> inertia_of_whole(const System& system) { return inertia_of_k(system.stiffness()); }
+std::optional<InertiaOfK> inertia_of_whole(const FirstOrderSystem&) { return std::nullopt; }
 
 template <class AnySystem>
 SolvedSystem solved(const AnySystem& system, Method method, const Progress& progress) {
@@ -113,6 +127,7 @@ SolvedSystem solved(const AnySystem& system, Method method, const Progress& prog
     } catch (const Interrupted&) {
       if (s.components.empty()) throw;
       s.interrupted = true;
+      s.whole = inertia_of_whole(system);
       break;
     }
     to_given_units(s.components.back());
@@ -166,6 +181,7 @@ IndexBalance SolvedSystem::index_balance() const {
   IndexBalance sum;
   for (const SolvedComponent& c : components) sum += c.verdict.balance;
   sum.closed = sum.closed && !interrupted;
+  if (whole) sum.negative = whole->negative;
   return sum;
 }
 
@@ -178,6 +194,7 @@ std::string SolvedSystem::open_reason() const {
 }
 
 InertiaOfK SolvedSystem::stiffness() const {
+  if (whole) return *whole;
   InertiaOfK k;
   for (const SolvedComponent& c : components) {
     k.negative += c.spectrum.stiffness_negative;

@@ -5,6 +5,7 @@
 #include "gyromode/dense/solve.h"
 #include "gyromode/spectrum/result.h"
 
+#include <optional>
 #include <vector>
 
 namespace gyromode {
@@ -23,7 +24,9 @@ struct SolvedSystem {
   Index size = 0;
   bool first_order = false;
   std::vector<SolvedComponent> components;
-  bool interrupted = false;  ///< work was stopped: further components were not solved, and the balance is open
+  /// Work was stopped: further components were not solved, and the balance is open.
+  bool interrupted = false;
+  std::optional<InertiaOfK> whole;  ///< of K, where components are missing
 
   /// The worst component's; marginal, too, where roots of opposite energy sign of two components that K does not hold
   /// coincide: the least coupling may make them flutter.

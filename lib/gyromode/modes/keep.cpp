@@ -89,7 +89,10 @@ ModesResult find_modes_keeping(const System& system, const std::vector<Index>& k
   mark_local(r.modes, system, r.structure, kept);
   const auto local = std::count_if(r.modes.begin(), r.modes.end(), [](const Mode& m) { return m.kind == ModeKind::local; });
   if (!options.shapes) {
-    for (Mode& m : r.modes) m.shape.resize(0);
+    for (std::vector<Mode>* modes : {&r.modes, &r.negative_modes}) {
+      for (Mode& m : *modes) m.shape.resize(0);
+    }
+    for (UnstableMode& u : r.unstable) u.shape.resize(0);
   }
   r.solver += fmt::format("; seen from {} of {} coordinates, {} of these modes local", kept.size(), system.size(), local);
   return r;

@@ -112,7 +112,7 @@ State ComponentMotion::at(double t) const {
   if (zero_.size() > 0) {
     Vector y = zero_.moved(first.zero, t);
     for (std::size_t i = 0; i < frequencies_.size(); ++i) y += zero_.driven(splits_[i + 1].zero, frequencies_[i], t);
-    w = plus(std::move(w), zero_.state(y));
+    w = plus(w, zero_.state(y));
   }
   if (rest_) {
     Vector y = Vector::Zero(rest_->size());
@@ -120,7 +120,7 @@ State ComponentMotion::at(double t) const {
     for (std::size_t i = 0; i < frequencies_.size(); ++i) {
       if (splits_[i + 1].rest.size() > 0) y += rest_->driven(splits_[i + 1].rest, frequencies_[i], t);
     }
-    w = plus(std::move(w), rest_->state(y));
+    w = plus(w, rest_->state(y));
   }
   return w;
 }

@@ -91,6 +91,7 @@ FrequencyResponse frequency_response(const System& system, const Vector& force, 
     r.points.push_back(point(system, force, omega, r.modes));
     progress.report("frequencies", static_cast<Index>(r.points.size()), grid.size());
   }
+  if (r.interrupted && r.points.empty()) throw Interrupted();
   if (r.interrupted) return r;
   for (const DrivenMode& m : r.modes) {
     if (resolve && m.driven == Driven::yes && m.omega > 0) show(m, system, force, grid, r);

@@ -64,7 +64,9 @@ struct Coverage {
   Index found = 0;                                      ///< with multiplicity
   std::optional<Index> counted;                         ///< by factorisations; nothing where the balance is open or work was stopped
   std::string reason;                                   ///< why not complete, for people; empty where complete
-  bool interrupted = false;                             ///< work was stopped: `window` is the part of which all modes were found by then
+  /// Work was stopped. Of booms `window` is the part of which all modes were found by then; of matrices whole
+  /// components are missing.
+  bool interrupted = false;
 };
 
 enum class CountStatus { exact, signed_only, doubtful };

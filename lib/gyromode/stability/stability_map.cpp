@@ -3,6 +3,10 @@
 #include "gyromode/base/error.h"
 #include "gyromode/stability/border.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace gyromode {
 
 namespace {
@@ -52,15 +56,21 @@ void add_row(const Verdict& verdict, const std::vector<double>& rest, const Prog
   BorderSearch search(at, range);
   std::vector<Border> borders;
   const std::vector<Place> places = decided(along, map.cells.data() + first);
-  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-    if (!places[k].point->differs(*places[k + 1].point)) continue;
-    for (Border& b : search.between(places[k].at, *places[k].point, places[k + 1].at, *places[k + 1].point))
-      borders.push_back(std::move(b));
-    progress.report("verdicts between cells", map.evaluations + search.evaluations(), 0);
+  bool stopped = false;
+  try {
+    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+      if (!places[k].point->differs(*places[k + 1].point)) continue;
+      for (Border& b : search.between(places[k].at, *places[k].point, places[k + 1].at, *places[k + 1].point))
+        borders.push_back(std::move(b));
+      progress.report("verdicts between cells", map.evaluations + search.evaluations(), 0);
+    }
+  } catch (const Interrupted&) {  // borders found by then are kept
+    stopped = true;
   }
   for (Border& b : merged(borders, BorderSearch::narrowest_verdict * range))
     map.critical.push_back({0, b.middle(), b.lo, b.hi, std::move(b.from), std::move(b.to), rest});
   map.evaluations += search.evaluations();
+  if (stopped) throw Interrupted();
 }
 
 // Cells that were not looked at: no verdict.
@@ -79,6 +89,11 @@ void fill(StabilityMap& map) {
 }  // namespace
 
 StabilityMap map_stability(const Verdict& verdict, std::vector<std::vector<double>> axes, const Progress& progress) {
+  if (axes.empty() || axes.size() > 2) throw InvalidArgument(fmt::format("a map has one parameter or two: {} were given", axes.size()));
+  for (const std::vector<double>& values : axes) {
+    if (values.empty() || !std::is_sorted(values.begin(), values.end()))
+      throw InvalidArgument("the values of a parameter must ascend, and there must be some");
+  }
   StabilityMap map;
   map.axes = std::move(axes);
   try {

@@ -11,7 +11,8 @@ bool StabilityPoint::differs(const StabilityPoint& o) const {
 }
 
 StabilityPoint stability_point(const ModesResult& r) {
-  return {true, r.stability, r.index_balance, r.unstable.empty() ? 0 : r.unstable.front().growth_rate, ""};
+  return {true, r.stability, r.index_balance, r.unstable.empty() ? 0 : r.unstable.front().growth_rate,
+          r.stability == Stability::unknown ? r.coverage.reason : ""};
 }
 
 }  // namespace gyromode

@@ -109,7 +109,7 @@ StiffnessInertia by_eigenvalues(const Matrix& k, const Vector& scale) {
 StiffnessInertia entry_by_entry(const Matrix& k) {
   RankedFactor f = ranked_factor(k);
   f.null_space.colwise().normalize();
-  return {f.negative, f.zero(), f.positive, std::move(f.null_space), f.smallest_kept, f.doubtful(), {}};
+  return {{f.negative, f.zero()}, f.positive, std::move(f.null_space), f.smallest_kept, f.doubtful(), {}};
 }
 
 StiffnessInertia of_nonzero_rows(const Matrix& k) {

@@ -49,7 +49,7 @@ void describe_block(const Model& model, const ModesResult& r, Writer& w) {
   };
   for (const Mode& m : r.modes) {
     add(m.shape);
-    if (!m.field.empty()) fields.push_back(displacements(m.field));
+    fields.push_back(m.field.empty() ? Json(nullptr) : displacements(m.field));
   }
   for (const UnstableMode& u : r.unstable) {
     if (u.shape.size() > 0) add(u.shape);
@@ -79,8 +79,8 @@ void describe(const Model& model, const ModesResult& r, Writer& w) {
   if (c.interrupted) w.fact("interrupted", true);
   const bool shapes = !r.modes.empty() && r.modes.front().shape.size() > 0;
   const bool growing_shapes = !r.unstable.empty() && r.unstable.front().shape.size() > 0;
-  Table modes = modes_table(model, "modes", r.modes, w),
-        unstable = unstable_table(model, r.unstable, w, w.for_csv() && (shapes || growing_shapes));
+  const bool in_csv = w.for_csv() && (shapes || growing_shapes);
+  Table modes = modes_table(model, "modes", r.modes, w, in_csv), unstable = unstable_table(model, r.unstable, w, in_csv);
   modes.csv = unstable.csv = true;
   w.table(modes);
   if (shapes) describe_shapes(model, r.modes, w);

@@ -158,7 +158,7 @@ void describe_critical(const StabilityReport& r, Writer& w) {
                              {at}};
   };
   w.table(t);
-  if (r.map->critical.empty()) w.paragraph("no critical value between the points of the grid\n");
+  if (r.map->critical.empty() && !r.map->interrupted) w.paragraph("no critical value between the points of the grid\n");
 }
 
 void describe_map(const StabilityReport& r, Writer& w) {

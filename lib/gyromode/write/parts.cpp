@@ -93,7 +93,7 @@ void describe_balance(const IndexBalance& b, Writer& w) {
                            {"closed", b.closed}});
 }
 
-Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w) {
+Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w, bool shapes_in_csv) {
   Table t{std::move(key),
           "",
           {{"", "#"},
@@ -112,7 +112,7 @@ Table modes_table(const Model& model, std::string key, const std::vector<Mode>& 
            {"displacements", "", "", Column::In::json}},
           static_cast<Index>(modes.size()),
           {}};
-  const bool flat = w.for_csv() && !modes.empty() && modes.front().shape.size() > 0, nested = w.for_json() && w.version() == 1;
+  const bool flat = shapes_in_csv, nested = w.for_json() && w.version() == 1;
   if (flat) add_shape_columns(model.labels(), t);
   t.row = [&model, &modes, flat, nested](Index k) {
     const Mode& m = modes[static_cast<std::size_t>(k)];

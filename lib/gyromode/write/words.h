@@ -38,7 +38,7 @@ inline double hertz(double omega) { return omega / (2 * std::numbers::pi); }
 void describe_class(const Model& model, const Structure& s, const InertiaOfK& k, bool has_stiffness, Writer& w);
 void describe_balance(const IndexBalance& b, Writer& w);
 /// Modes under `key` in JSON; with their shapes where they have some.
-Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w);
+Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w, bool shapes_in_csv = false);
 Table unstable_table(const Model& model, const std::vector<UnstableMode>& modes, const Writer& w, bool shapes_in_csv);
 
 }  // namespace gyromode::io
