@@ -67,9 +67,6 @@ bool better(const SolvedComponent& a, const SolvedComponent& b) {
   return a.verdict.balance.closed && (!b.verdict.balance.closed || worst_residual(a) < worst_residual(b));
 }
 
-// A solver of one scale loses roots far below the largest where spin is strong or K graded and indefinite. Where the
-// result does not convince, the general solver has a try (λ of the first-order form keeps roots that ω² loses), and
-// then, in a small system, every root is found in its own scale.
 // A further attempt; nothing where work was stopped meanwhile: what is there stands.
 template <class Attempt>
 std::optional<SolvedComponent> further(Attempt&& attempt) {
@@ -80,6 +77,9 @@ std::optional<SolvedComponent> further(Attempt&& attempt) {
   }
 }
 
+// A solver of one scale loses roots far below the largest where spin is strong or K graded and indefinite. Where the
+// result does not convince, the general solver has a try (λ of the first-order form keeps roots that ω² loses), and
+// then, in a small system, every root is found in its own scale.
 template <class AnySystem>
 SolvedComponent best_component(const AnySystem& system, const Component& component, Method method, const Progress& progress) {
   SolvedComponent best = solved_component(system, component, method, progress);
