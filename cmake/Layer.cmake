@@ -59,6 +59,7 @@ function(gyromode_layer name)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib>
                                               $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/lib>)
   target_compile_definitions(${target} PUBLIC ${gyromode_eigen_layout})
-  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE gyromode_warnings ${LAYER_LINKS})
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE gyromode_warnings fmt::fmt ${LAYER_LINKS})
+  target_precompile_headers(${target} REUSE_FROM gyromode_precompiled)
   target_sources(gyromode PRIVATE $<TARGET_OBJECTS:${target}>)
 endfunction()

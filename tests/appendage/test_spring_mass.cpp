@@ -2,10 +2,10 @@
 // kinetic energy in 50 digits, with the rotation by Rodrigues' formula; then condensed.
 #include "gyromode/appendage/hub_impedance.h"
 #include "gyromode/appendage/spring_mass.h"
+#include "gyromode/lapack/small.h"
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <array>
@@ -92,7 +92,7 @@ HubMatrix twin(const SpringMass& m, double spin, double omega) {
   if (free.empty()) return hub;
   const std::vector<int> six{0, 1, 2, 3, 4, 5};
   const Eigen::MatrixXcd inner = h(free, free), left = h(six, free), right = h(free, six);
-  return hub - left * inner.inverse() * right;
+  return hub - left * small::solve(inner, right);
 }
 
 TEST(SpringMass, ImpedanceOfItsLagrangian) {

@@ -5,10 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/SVD>
-
 #include <cstdint>
 #include <algorithm>
 #include <cmath>
@@ -76,18 +72,18 @@ struct ZeroCount {
 ZeroCount by_pseudo_inverse(const Matrix& gamma, const Matrix& k) {
   constexpr double tiny = 1e-9;
   const Index n = k.rows();
-  const Eigen::SelfAdjointEigenSolver<Matrix> e(k);
-  const Vector& d = e.eigenvalues();
+  const lapack::SymmetricEigen e = small::symmetric_eigen(k);
+  const Vector& d = e.values;
   ZeroCount z;
   z.negative = (d.array() < -tiny).count();
   z.null = (d.array().abs() <= tiny).count();
   const Vector inverse_d = d.unaryExpr([](double x) { return std::abs(x) <= tiny ? 0 : 1 / x; });
-  const Matrix pseudo_inverse = e.eigenvectors() * inverse_d.asDiagonal() * e.eigenvectors().transpose();
-  const Matrix null = e.eigenvectors().middleCols(z.negative, z.null);
-  const Eigen::JacobiSVD<Matrix> svd(null.transpose() * gamma * null, Eigen::ComputeFullV);
-  const Index rank2 = (svd.singularValues().array() > tiny).count();
+  const Matrix pseudo_inverse = e.vectors * inverse_d.asDiagonal() * e.vectors.transpose();
+  const Matrix null = e.vectors.middleCols(z.negative, z.null);
+  const small::Svd svd = small::singular_value_decomposition((null.transpose() * gamma * null).cast<Complex>());
+  const Index rank2 = (svd.values.array() > tiny).count();
   z.coupled = rank2 / 2;
-  const Matrix kept = null * svd.matrixV().rightCols(z.null - rank2);
+  const Matrix kept = null * svd.v.real().rightCols(z.null - rank2);
   const Matrix f = kept.transpose() * (Matrix::Identity(n, n) + gamma.transpose() * pseudo_inverse * gamma) * kept;
   const Vector values = f.rows() > 0 ? Vector(small::symmetric_eigenvalues(f)) : Vector();
   z.regular = (values.array().abs() > tiny).all();
@@ -103,7 +99,8 @@ TEST(Deflation, TakesOutExactlyTheZeroRoots) {
     const Index r = source.integer(1, n);
     // k and Γ of small integers; r null directions at random coordinates, coupled by Γ or (every other draw) not.
     Matrix b = Matrix::Zero(n - r, n - r);
-    while (r < n && std::abs(b.determinant()) < 0.5) b = source.integers(n - r, n - r, 1) + 2 * Matrix::Identity(n - r, n - r);
+    while (r < n && std::abs(small::pivots(b.cast<Complex>()).values.prod()) < 0.5)
+      b = source.integers(n - r, n - r, 1) + 2 * Matrix::Identity(n - r, n - r);
     Vector signs(n - r);
     for (double& s : signs) s = source.integer(0, 1) == 1 ? 1 : -1;
     Matrix k = Matrix::Zero(n, n);

@@ -4,10 +4,10 @@
 #include "gyromode/dense/general/definite.h"
 #include "gyromode/dense/general/indefinite.h"
 #include "gyromode/dense/quadrature/quadrature.h"
+#include "gyromode/lapack/general.h"
+#include "gyromode/lapack/small.h"
 
 #include <gtest/gtest.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -37,13 +37,13 @@ double worst_root(const Matrix& gamma, const Matrix& k, ComplexVector found) {
   if (found.size() != 2 * n) return std::numeric_limits<double>::infinity();
   Matrix a = Matrix::Zero(2 * n, 2 * n);
   a << -gamma, -k, Matrix::Identity(n, n), Matrix::Zero(n, n);
-  const Eigen::EigenSolver<Matrix> e(a);
-  const ComplexMatrix left = e.eigenvectors().inverse();
+  const lapack::GeneralEigen e = lapack::general_eigen(a);
+  const ComplexMatrix left = small::solve(e.vectors, ComplexMatrix::Identity(2 * n, 2 * n));
   double worst = 0;
   for (Index i = 0; i < 2 * n; ++i) {
     Index at = 0;
-    const double distance = (found.array() - e.eigenvalues()(i)).abs().minCoeff(&at);
-    const double condition = left.row(i).norm() * e.eigenvectors().col(i).norm();
+    const double distance = (found.array() - e.values(i)).abs().minCoeff(&at);
+    const double condition = left.row(i).norm() * e.vectors.col(i).norm();
     worst = std::max(worst, distance / (static_cast<double>(n) * epsilon * a.norm() * condition));
     found(at) = std::numeric_limits<double>::infinity();
   }

@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -24,10 +22,9 @@ constexpr double epsilon = 2.220446049250313e-16;
 std::vector<Complex> squares(const System& s) {
   const Index n = s.size();
   Matrix a = Matrix::Zero(2 * n, 2 * n);
-  const Eigen::PartialPivLU<Matrix> mass(s.mass());
   a.topRightCorner(n, n).setIdentity();
-  a.bottomLeftCorner(n, n) = -mass.solve(s.stiffness());
-  a.bottomRightCorner(n, n) = -mass.solve(s.gyroscopic());
+  a.bottomLeftCorner(n, n) = -small::solve(s.mass(), s.stiffness());
+  a.bottomRightCorner(n, n) = -small::solve(s.mass(), s.gyroscopic());
   const Matrix a2 = a * a;
   const ComplexVector values = small::eigenvalues(a2);
   return {values.begin(), values.end()};
@@ -69,8 +66,7 @@ TEST_P(UnitaryFormOf, HasTheSquaresOfAllFrequencies) {
       1e3 * order * epsilon * size);
 
   // v̈ = −Wᵀv for v = Dq + Vq̇: with q̈ = −M⁻¹(Gq̇ + Kq), for every q and q̇. v̇ = Dq̇ + Vq̈ = D₁q + V₁q̇, and once more.
-  const Eigen::PartialPivLU<Matrix> mass(s.mass());
-  const Matrix g = mass.solve(s.gyroscopic()), k = mass.solve(s.stiffness());
+  const Matrix g = small::solve(s.mass(), s.gyroscopic()), k = small::solve(s.mass(), s.stiffness());
   const auto rate = [&](const Matrix& d, const Matrix& v) -> std::pair<Matrix, Matrix> { return {-v * k, d - v * g}; };
   const auto [d1, v1] = rate(f.displacement, f.velocity);
   const auto [d2, v2] = rate(d1, v1);

@@ -8,11 +8,10 @@
 #include "gyromode/lapack/indefinite.h"
 #include "gyromode/lapack/multiply.h"
 #include "gyromode/lapack/singular.h"
+#include "gyromode/lapack/small.h"
 #include "gyromode/lapack/status.h"
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
-
-#include <Eigen/Dense>
 
 #include <gtest/gtest.h>
 
@@ -167,7 +166,7 @@ TEST(Triangular, SolvesAndMultiplies) {
     const Matrix gram = gram_of_lower(l).triangularView<Eigen::Lower>();
     expect_small(Matrix(gram - Matrix(Matrix(l.transpose() * l).triangularView<Eigen::Lower>())),
                  10 * real(n + 1) * epsilon * l.squaredNorm(), "LᵀL");
-    expect_small(Matrix(k - a), 100 * real(n + 1) * epsilon * (1 + l.norm() * l.inverse().norm() * a.norm()), "L⁻¹ L A Lᵀ L⁻ᵀ = A");
+    expect_small(Matrix(k - a), 100 * real(n + 1) * epsilon * (1 + l.norm() * small::inverse(l).norm() * a.norm()), "L⁻¹ L A Lᵀ L⁻ᵀ = A");
   }
 }
 
@@ -209,7 +208,7 @@ TEST(Triangular, ConditionIsNotOverestimatedNorMuchUnder) {
   for (const Index n : {1, 2, 7, 40}) {
     const Matrix l = random_lower(n, random), a = l * l.transpose(), s = random_symmetric(n, random);
     const auto norm = [](const Matrix& x) { return x.cwiseAbs().colwise().sum().maxCoeff(); };
-    const double definite = 1 / (norm(a) * norm(a.inverse())), indefinite = 1 / (norm(s) * norm(s.inverse()));
+    const double definite = 1 / (norm(a) * norm(small::inverse(a))), indefinite = 1 / (norm(s) * norm(small::inverse(s)));
     const double found[] = {reciprocal_condition(lower_only(l), norm(a)) / definite,
                             reciprocal_condition(factor_indefinite(s), norm(s)) / indefinite};
     for (const double ratio : found) EXPECT_TRUE(ratio >= 1 - 1e-8 && ratio <= 3) << n << ": " << ratio;
@@ -248,8 +247,8 @@ TEST(Symmetric, EigenvaluesAndVectors) {
     const auto g = symmetric_definite_eigen(lower_only(a), lower_only(b));
     EXPECT_TRUE(std::is_sorted(g.values.begin(), g.values.end()));
     if (n == 0) continue;
-    expect_small(Vector(e.values - Eigen::SelfAdjointEigenSolver<Matrix>(a).eigenvalues()), unit * a.norm(), "twin");
-    const double condition = b.norm() * b.inverse().norm();
+    expect_small(Vector(e.values - small::symmetric_eigenvalues(a)), unit * a.norm(), "twin");
+    const double condition = b.norm() * small::inverse(b).norm();
     expect_small(Matrix(g.vectors.transpose() * b * g.vectors - Matrix::Identity(n, n)), unit * condition, "VᵀBV = 1");
     expect_small(Matrix(a * g.vectors - b * g.vectors * g.values.asDiagonal()), unit * condition * a.norm() * g.vectors.norm(),
                  "A V = B V Λ");
@@ -269,8 +268,7 @@ TEST(General, ValuesAndVectorsOfNormalMatrices) {
       truth(k + 1) = std::conj(truth(k));
     }
     const Matrix q = orthogonal_completion(random_matrix(n, n, random)), a = q * d * q.transpose();
-    const ComplexMatrix z = random_complex(n, n, random),
-                        u = n == 0 ? z : ComplexMatrix(Eigen::HouseholderQR<ComplexMatrix>(z).householderQ());
+    const ComplexMatrix z = random_complex(n, n, random), u = n == 0 ? z : small::qr(z).q;
     const ComplexVector turned = truth * std::polar(1.0, 0.3);  // no conjugate pairs left
     const ComplexMatrix c = u * turned.asDiagonal() * u.adjoint();
     const auto check = [&](const GeneralEigen& e, const ComplexMatrix& m, const ComplexVector& expected) {
@@ -308,7 +306,7 @@ void expect_svd(const Matrix& a, const SingularValues& s, const std::string& wha
   expect_small(Matrix(a - s.u * s.values.asDiagonal() * s.vt), unit * a.norm(), what + " A = U Σ Vᵀ");
   EXPECT_TRUE(std::is_sorted(s.values.begin(), s.values.end(), std::greater<>())) << what;
   EXPECT_TRUE((s.values.array() >= 0).all()) << what;
-  if (r > 0) expect_small(Vector(s.values - Eigen::JacobiSVD<Matrix>(a).singularValues()), unit * a.norm(), what + " twin");
+  if (r > 0) expect_small(Vector(s.values - small::singular_values(a.cast<Complex>())), unit * a.norm(), what + " twin");
 }
 
 TEST(Singular, RectangularAndBidiagonal) {
@@ -346,7 +344,7 @@ TEST(Indefinite, SolvesRealAndHermitian) {
 // first.
 template <class AnyMatrix>
 void expect_inertia(const AnyMatrix& a, int& trials) {
-  const Vector lambda = Eigen::SelfAdjointEigenSolver<AnyMatrix>(a, Eigen::EigenvaluesOnly).eigenvalues();
+  const Vector lambda = small::hermitian_eigenvalues(ComplexMatrix(a.template cast<Complex>()));
   if (!(lambda.cwiseAbs().minCoeff() > 1e-9 * lambda.cwiseAbs().maxCoeff())) return;
   const Vector d = pivot_values(factor_indefinite(a));
   ASSERT_EQ(d.size(), a.rows());

@@ -7,7 +7,6 @@
 #include "gyromode/modes/spacecraft.h"
 #include "support/random_matrices.h"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -80,7 +79,8 @@ Family family(Kind kind, double delta, std::uint64_t seed) {
 double invariant_pair_residual(const System& s, const ComplexMatrix& x, const Eigen::Vector2d& omega) {
   const ComplexMatrix v = small::orthonormal_columns(x);
   const ComplexMatrix r = v.adjoint() * x;
-  const Eigen::Matrix2cd b = r * Eigen::Vector2cd(Complex(0, omega(0)), Complex(0, omega(1))).asDiagonal() * r.inverse();
+  const Eigen::Matrix2cd b =
+      r * Eigen::Vector2cd(Complex(0, omega(0)), Complex(0, omega(1))).asDiagonal() * small::solve(r, ComplexMatrix::Identity(2, 2));
   return (s.stiffness() * v + s.gyroscopic() * v * b + s.mass() * v * b * b).norm();
 }
 

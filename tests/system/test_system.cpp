@@ -9,8 +9,6 @@
 #include "gyromode/system/system.h"
 #include "gyromode/system/laws.h"
 
-#include <Eigen/Dense>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
