@@ -21,6 +21,12 @@ std::string no_small_fraction(const std::string& text) {
   return fmt::format("'{}' where a fraction from 0 to {} was expected", text, most);
 }
 
+double fraction(const std::string& option, const std::string& text) {
+  const Parsed p = parse_real(text);
+  if (p.outcome == Parsed::ok && p.value >= 0 && p.value <= 2) return p.value;
+  throw UsageError(fmt::format("{}={}: a fraction of the largest entry, from 0 to 2, was expected", option, text));
+}
+
 void ModelSource::add_to(CLI::App& verb) {
   verb.add_option("model", model, "Model file (TOML); or give the three matrices below")->type_name("MODEL");
   verb.add_option("--mass", mass, "Mass matrix M, Matrix Market")->type_name("M.mtx");
@@ -30,6 +36,15 @@ void ModelSource::add_to(CLI::App& verb) {
                   "Couplings up to this fraction of the largest entry of their matrix are left out (default 0: none are)")
       ->type_name("FRACTION")
       ->check(no_small_fraction);
+  auto* take =
+      verb.add_option("--symmetrise", symmetrise,
+                      "Use the symmetric part of M and K and the skew part of G where they depart by up to TOL of the largest entry "
+                      "(1e-3 if TOL is left out; what is rounding is let in without it)")
+          ->type_name("[=TOL]")
+          ->expected(0, 1)
+          ->default_str("")
+          ->option_text("[=TOL]");
+  verb.add_flag("--strict", strict, "Refuse matrices that are not (skew-)symmetric to the last bit")->excludes(take);
 }
 
 // A broken law is known by its matrix; which files the matrices came from is known here.
@@ -43,6 +58,15 @@ Model located(const std::string& files, Reader&& reader) {
   }
 }
 
+// Departures from symmetry: --symmetrise alone takes what is no larger than people's typing leaves.
+Admission ModelSource::admission() const {
+  constexpr double unless_said = 1e-3;
+  Admission a;
+  a.strict = strict;
+  if (symmetrise) a.symmetrise = symmetrise->empty() ? unless_said : fraction("--symmetrise", *symmetrise);
+  return a;
+}
+
 Model ModelSource::admitted(Model m) const { return coupling_tolerance == 0 ? m : m.without_couplings(coupling_tolerance); }
 
 Model ModelSource::read() const {
@@ -53,13 +77,14 @@ Model ModelSource::read() const {
             ? "give a model file or --mass and --stiffness, not both"
             : "no model: give a model file (gyromode modes models/rigid_body.toml) or --mass M.mtx [--gyroscopic G.mtx] --stiffness K.mtx");
   }
-  if (!matrices) return located(model, [&] { return admitted(read_model(model)); });
+  if (!matrices) return located(model, [&] { return admitted(read_model(model, admission())); });
   if (mass.empty() || stiffness.empty()) {
     throw UsageError(fmt::format("{} is missing: M and K are both needed (G may be left out)", mass.empty() ? "--mass" : "--stiffness"));
   }
   const std::string files = fmt::format("{}, {}{}{}", mass, gyroscopic, gyroscopic.empty() ? "" : ", ", stiffness);
   return located(files, [&] {
-    return admitted(read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness));
+    return admitted(
+        read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness, admission()));
   });
 }
 

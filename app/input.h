@@ -14,6 +14,8 @@ namespace gyromode::app {
 struct ModelSource {
   std::string model, mass, gyroscopic, stiffness;
   double coupling_tolerance = 0;
+  std::optional<std::string> symmetrise;
+  bool strict = false;
 
   void add_to(CLI::App& verb);
   /// The model as every verb sees it: read, and without the couplings that are to be left out.
@@ -21,6 +23,9 @@ struct ModelSource {
   /// The same of a model already made: its system without those couplings. Throws NotApplicable for a spacecraft, whose
   /// couplings follow from its parts.
   Model admitted(Model model) const;
+
+ private:
+  Admission admission() const;
 };
 
 /// A window of frequencies, as [--below W | --window A:B].

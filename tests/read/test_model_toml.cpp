@@ -446,12 +446,15 @@ TEST_F(ModelToml, LabelsNameEveryCoordinateOnce) {
 TEST_F(ModelToml, BrokenPromises) {
   const std::string start = "kind='matrices'\nmass=[[1,0],[0,1]]\nstiffness=[[1,0],[0,1]]\n";
   EXPECT_EQ(broken(start + "gyroscopic=[[0,3],[-2.5,0]]\n"),
-            "G must satisfy G = −Gᵀ: entries (1,2) = 3 and (2,1) = -2.5 miss opposite signs by 0.5, 17 % of the largest entry");
+            "G must satisfy G = −Gᵀ: entries (1,2) = 3 and (2,1) = -2.5 miss opposite signs by 0.5, 17 % of the largest entry; its "
+            "symmetric part acts as damping of both signs, as flow at a "
+            "free end does, which is not served; --symmetrise=0.2 (key symmetrise) uses the skew part");
   EXPECT_EQ(broken("kind='matrices'\nmass=[[1,2],[0,1]]\nstiffness=[[1,0],[0,1]]\n")
                 .find("M must satisfy M = Mᵀ: entries (1,2) = 2 and (2,1) = 0 differ"),
             0u);
   EXPECT_EQ(broken("kind='matrices'\nlabels=['a','b']\nmass=[[1,0],[0,-1]]\nstiffness=[[1,0],[0,1]]\n"),
-            "M must be positive definite: diagonal entry (2,2) = -1 of coordinate 'b' is not above 0");
+            "M must be positive definite: diagonal entry (2,2) = -1 of coordinate 'b' is not above 0; K is positive definite: were M and K "
+            "exchanged?");
   EXPECT_NE(broken("kind='matrices'\nmass=[[1e-300,1e300],[1e300,1e-300]]\nstiffness=[[1,0],[0,1]]\n"), "(accepted)");
   EXPECT_NE(broken("kind='first_order'\ninertia=[[1,2],[2,1]]\ngyroscopic=[[0,1],[-1,0]]\n"), "(accepted)");
 }

@@ -16,7 +16,8 @@ namespace gyromode {
 struct Assessment {
   Vector residual;  ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂), 1-norms of matrices, everything in the units given
   Vector own_residual;  ///< ‖D r‖ / ‖D⁻¹X‖, D⁻² = diag(weight): the same in each coefficient's own scale
-  Vector form;          ///< Xᴴ(2ωM − jG)X / ‖X‖²; first order XᴴIX / ‖X‖²: its sign is the energy sign
+  Vector form;          ///< Xᴴ(2ωM − jG)X / ‖X‖²; first order XᴴIX / ‖X‖²: its sign is the energy sign.
+                        ///< Of a SolvedComponent, in the units given: Xᴴ(2ωM − jG)X of its shapes as they stand
   /// |δω| ≤ (|X|ᵀ|r| + c ε rounded) / |Xᴴ(2ωM − jG)X|, c = 2 + √n, to first order, for a simple root. Where such
   /// intervals overlap the roots are a cluster of c, and the bound is that of their span: the same over the smallest
   /// singular value of [X_iᴴ(2ωM − jG)X_k], each X_i of own_scale 1.

@@ -15,7 +15,17 @@ namespace gyromode {
 
 namespace {
 
+using Numbers = std::vector<std::pair<std::string, double>>;
+
 double largest(const Matrix& a) { return a.cwiseAbs().maxCoeff(); }
+
+// In the scale of the rows that an entry is in; 0 of a matrix that needed no repair.
+double departure_of(std::string_view matrix, const std::vector<Repair>& repairs) {
+  for (const Repair& r : repairs) {
+    if (r.matrix == matrix) return r.own_scale;
+  }
+  return 0;
+}
 
 }  // namespace
 
@@ -43,9 +53,10 @@ StructureReport MatricesModel::structure(std::optional<double> at) const {
     if (c.search->found) f.reflection = c.search->found->reflection(system_.mass()(c.coordinates, c.coordinates));
     r.symmetries.push_back(std::move(f));
   }
-  const auto& e = system_.symmetry_errors();
-  using Numbers = std::vector<std::pair<std::string, double>>;
-  r.checks = {{"symmetry_errors", Numbers{{"mass", e.mass}, {"gyroscopic", e.gyroscopic}, {"stiffness", e.stiffness}}},
+  const std::vector<Repair>& repairs = r.repairs = system_.repairs();
+  r.checks = {{"symmetry_errors", Numbers{{"mass", departure_of("M", repairs)},
+                                          {"gyroscopic", departure_of("G", repairs)},
+                                          {"stiffness", departure_of("K", repairs)}}},
               {"scales", Numbers{{"mass", largest(system_.mass())},
                                  {"gyroscopic", largest(system_.gyroscopic())},
                                  {"stiffness", largest(system_.stiffness())}}},
@@ -87,9 +98,8 @@ StructureReport FirstOrderModel::structure(std::optional<double> at) const {
   StructureReport r;
   r.structure = analyse(system_);
   r.stiffness_applies = false;
-  const auto& e = system_.symmetry_errors();
-  using Numbers = std::vector<std::pair<std::string, double>>;
-  r.checks = {{"symmetry_errors", Numbers{{"inertia", e.inertia}, {"gyroscopic", e.gyroscopic}}},
+  const std::vector<Repair>& repairs = r.repairs = system_.repairs();
+  r.checks = {{"symmetry_errors", Numbers{{"inertia", departure_of("I", repairs)}, {"gyroscopic", departure_of("G", repairs)}}},
               {"scales", Numbers{{"inertia", largest(system_.inertia())}, {"gyroscopic", largest(system_.gyroscopic())}}}};
   if (at) r.at = {*at, realify(system_.impedance(*at), r.structure)};
   return r;

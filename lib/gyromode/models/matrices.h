@@ -26,7 +26,7 @@ class MatricesModel : public ModelKind {
   const System& system() const { return system_; }
   Index size() const override { return system_.size(); }
   const Labels& labels() const override { return system_.labels(); }
-  std::string_view in_words() const override { return "M, G, K in turning axes"; }
+  std::string_view in_words() const override { return "M, G, K"; }
   ModesResult modes(const ModesOptions& options) const override;
   CountResult count(const Window& window) const override;
   StabilityReport stability() const override;

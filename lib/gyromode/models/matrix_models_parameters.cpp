@@ -37,7 +37,7 @@ std::shared_ptr<const ModelKind> with_couplings_left_out(const CouplingsLeftOut<
 
 SpinFamily MatricesModel::family() const {
   if (family_) return *family_;
-  return {system_.mass(), system_.gyroscopic(), {}, system_.stiffness(), {}, system_.labels()};
+  return {system_.mass(), system_.gyroscopic(), {}, system_.stiffness(), {}, system_.labels(), {}};
 }
 
 std::vector<Parameter> MatricesModel::parameters() const {
@@ -67,7 +67,7 @@ std::shared_ptr<const ModelKind> MatricesModel::with(const std::vector<Parameter
   }
   for (const ParameterValue& v : values) require_kept(v.key == "spin" && family_ ? spin == v.value : entries_have(entries_of(f), v), v);
   if (family_) return std::make_shared<MatricesModel>(std::move(f), spin);
-  return std::make_shared<MatricesModel>(f.at(0));
+  return std::make_shared<MatricesModel>(system_.replaced(std::move(f.mass), std::move(f.gyroscopic), std::move(f.stiffness)));
 }
 
 std::vector<Parameter> FirstOrderModel::parameters() const {
@@ -88,7 +88,7 @@ std::shared_ptr<const ModelKind> FirstOrderModel::with(const std::vector<Paramet
   const std::vector<MatrixOfParameters> entries{{"inertia", &inertia}, {"gyroscopic", &gyroscopic, true}};
   for (const ParameterValue& v : values) require(set_entries(entries, v), v);
   for (const ParameterValue& v : values) require_kept(entries_have(entries, v), v);
-  return std::make_shared<FirstOrderModel>(FirstOrderSystem(std::move(inertia), std::move(gyroscopic), system_.labels()));
+  return std::make_shared<FirstOrderModel>(system_.replaced(std::move(inertia), std::move(gyroscopic)));
 }
 
 }  // namespace gyromode

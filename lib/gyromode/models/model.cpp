@@ -15,6 +15,15 @@ Model::Model(SpinFamily family, double spin_of_axes) : Model(std::make_shared<Ma
 }
 Model::Model(Spacecraft spacecraft) : Model(std::make_shared<SpacecraftModel>(std::move(spacecraft)), "spacecraft") {
   spin = static_cast<const SpacecraftModel&>(*body).spacecraft().spin();
+  frame = Frame::turning;
+}
+
+std::string_view to_string(Frame frame) {
+  switch (frame) {
+    case Frame::turning: return "turning";
+    case Frame::fixed: return "fixed";
+    default: return "unknown";
+  }
 }
 
 Index Model::size() const { return body->size(); }

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gyromode {
@@ -25,6 +26,11 @@ struct KnownValues {
   std::string stability;            ///< a word of the verdict, or empty
   std::string system_class;         ///< quadrature, hidden_quadrature, general or transcendental, or empty
 };
+
+/// The axes that displacements and shapes are in. Frequencies and everything said of a model hold in its own axes:
+/// a motion of frequency ω in axes that turn at Ω is one of ω ± Ω in fixed ones.
+enum class Frame { unknown, turning, fixed };
+std::string_view to_string(Frame frame);
 
 /// A model of whatever kind, from a file or built in code, and what the program answers of it. Copies share what they
 /// are made of, which never changes.
@@ -47,6 +53,7 @@ struct Model {
   std::string sha256;
   std::shared_ptr<const ModelKind> body;    ///< what answers
   std::optional<double> spin;               ///< rad/s, where the model depends on it
+  Frame frame = Frame::unknown;             ///< as its maker says; spacecraft: turning
   KnownValues known;                        ///< for whoever wants to check
   std::optional<IgnoredCouplings> ignored;  ///< where `body` is that of the file without its weak couplings
 

@@ -23,7 +23,7 @@ class ModelKind {
 
   virtual Index size() const = 0;
   virtual const Labels& labels() const = 0;
-  /// For people, after the number of coordinates: "M, G, K in turning axes".
+  /// For people, after the number of coordinates: "M, G, K".
   virtual std::string_view in_words() const = 0;
   /// Whether H depends on ω by more than powers: there may be infinitely many modes.
   virtual bool transcendental() const { return false; }

@@ -46,6 +46,7 @@ struct StructureReport {
   std::vector<SymmetryFinding> symmetries;    ///< of components without a partition
   std::vector<ModelCheck> checks;             ///< facts of the model
   std::optional<RealifiedAt> at;              ///< where a frequency was given
+  std::vector<Repair> repairs;                ///< of matrices that were not (skew-)symmetric
   std::vector<ClampedBoom> clamped_booms;     ///< of a spacecraft: the poles of its booms
   std::vector<EffectiveAxes> effective_axes;  ///< of spacecraft that axes 1 and 2 do not part into in phase and in quadrature
 };

@@ -13,7 +13,7 @@ class SpacecraftModel : public ModelKind {
   const Spacecraft& spacecraft() const { return spacecraft_; }
   Index size() const override { return spacecraft_.size(); }
   const Labels& labels() const override { return spacecraft_.labels(); }
-  std::string_view in_words() const override { return "of the body, exact booms; turning axes"; }
+  std::string_view in_words() const override { return "of the body, exact booms"; }
   bool transcendental() const override { return true; }
   bool finite() const override { return spacecraft_.cables().empty() && spacecraft_.beams().empty(); }
   ModesResult modes(const ModesOptions& options) const override;

@@ -50,6 +50,9 @@ double worst_residual(const SolvedComponent& c) {
 
 void to_given_units(SolvedComponent& c) {
   const Units& units = c.impedance.units();
+  // Of the shapes as they stand, no more of shapes of norm 1.
+  for (Index k = 0; k < c.spectrum.omega.size(); ++k)
+    c.assessment.form(k) *= (c.spectrum.re.col(k).squaredNorm() + c.spectrum.im.col(k).squaredNorm()) / units.time;
   c.impedance.to_given(c.spectrum);
   for (Vector* v :
        {&c.assessment.error_bound, &c.assessment.sensitivity, &c.assessment.unstable.error_bound, &c.assessment.unstable.sensitivity})

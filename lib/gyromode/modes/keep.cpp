@@ -90,7 +90,10 @@ ModesResult find_modes_keeping(const System& system, const std::vector<Index>& k
   const auto local = std::count_if(r.modes.begin(), r.modes.end(), [](const Mode& m) { return m.kind == ModeKind::local; });
   if (!options.shapes) {
     for (std::vector<Mode>* modes : {&r.modes, &r.negative_modes}) {
-      for (Mode& m : *modes) m.shape.resize(0);
+      for (Mode& m : *modes) {
+        m.shape.resize(0);
+        m.form = 0;
+      }
     }
     for (UnstableMode& u : r.unstable) u.shape.resize(0);
   }

@@ -117,8 +117,44 @@ Mode MatrixSpectrum::mode(std::size_t root, bool with_shape) const {
   m.residual = c->assessment.residual(position);
   m.error_bound = c->assessment.error_bound(position);
   m.cluster = c->assessment.cluster[static_cast<std::size_t>(position)];
-  if (with_shape) m.shape = shape_of(*c, c->spectrum.shape(position));
+  if (with_shape) {
+    const ComplexVector part = c->spectrum.shape(position);
+    m.shape = shape_of(*c, part);
+    m.form = c->assessment.form(position) / std::norm(largest_entry(part));
+  }
   return m;
+}
+
+std::vector<Mode> MatrixSpectrum::oscillations() const {
+  std::vector<Mode> all;
+  for (std::size_t i = 0; i < roots_.size(); ++i) {
+    if (!roots_[i].zero) all.push_back(mode(i, true));
+  }
+  return all;
+}
+
+Matrix MatrixSpectrum::zero_shapes() const {
+  std::vector<std::size_t> zeros;
+  for (std::size_t i = 0; i < roots_.size(); ++i) {
+    if (roots_[i].zero) zeros.push_back(i);
+  }
+  Matrix all(solved_.size, static_cast<Index>(zeros.size()));
+  for (Index k = 0; k < all.cols(); ++k) all.col(k) = mode(zeros[static_cast<std::size_t>(k)], true).shape.real();
+  return all;
+}
+
+UnstableRoots MatrixSpectrum::unstable() const {
+  UnstableRoots all;
+  for (const SolvedComponent& c : solved_.components) {
+    const UnstableRoots& u = c.spectrum.unstable;
+    for (Index k = 0; k < u.count(); ++k) {
+      ComplexVector x = ComplexVector::Zero(solved_.size), y = x;
+      x(c.spectrum.order) = u.right.col(k);
+      y(c.spectrum.order) = u.left.col(k);
+      all.add(u.lambda[static_cast<std::size_t>(k)], x, y);
+    }
+  }
+  return all;
 }
 
 UnstableMode MatrixSpectrum::growing(const SolvedComponent& c, Index k, bool with_shape) const {

@@ -26,6 +26,13 @@ class MatrixSpectrum : public CountedSpectrum {
   bool isolated() const override;
   void describe(ModesResult& result, bool with_shapes) const override;
 
+  /// The oscillations ω > 0, all of them, with shapes and forms; zero modes, n × their number; and the roots off the
+  /// axis.
+  std::vector<Mode> oscillations() const;
+  Matrix zero_shapes() const;
+  UnstableRoots unstable() const;
+  Index size() const { return solved_.size; }
+
  private:
   struct Place {
     const SolvedComponent* component = nullptr;

@@ -4,6 +4,7 @@
 #include "gyromode/modes/answer.h"
 #include "gyromode/modes/keep.h"
 #include "gyromode/modes/matrix_spectrum.h"
+#include "gyromode/modes/repair_effects.h"
 
 #include <fmt/format.h>
 
@@ -31,20 +32,31 @@ std::vector<Index> positions_of(const Labels& chosen, const Labels& all) {
   return positions;
 }
 
+template <class AnySystem>
+ModesResult answered(const AnySystem& system, const ModesOptions& options) {
+  const MatrixSpectrum spectrum(solve_components(system, options.method, options.progress));
+  ModesResult r = modes_of(spectrum, options);
+  r.repairs = system.repairs();
+  if (!r.repairs.empty() && !r.coverage.interrupted) state_effects(system, spectrum, r);
+  const bool doubtful = std::any_of(r.repairs.begin(), r.repairs.end(), [](const Repair& repair) { return repair.doubtful(); });
+  if (doubtful && r.stability < Stability::unknown) r.stability = Stability::unknown;
+  return r;
+}
+
 }  // namespace
 
 ModesResult find_modes(const System& system, const ModesOptions& options) {
   require_options(options);
   require_method(options.method);
   if (!options.keep.empty()) return find_modes_keeping(system, positions_of(options.keep, system.labels()), options);
-  return modes_of(MatrixSpectrum(solve_components(system, options.method, options.progress)), options);
+  return answered(system, options);
 }
 
 ModesResult find_modes(const FirstOrderSystem& system, const ModesOptions& options) {
   require_options(options);
   require_method(options.method);
   if (!options.keep.empty()) throw NotApplicable("--keep condenses M, G, K of second order; this model is of first order");
-  return modes_of(MatrixSpectrum(solve_components(system, options.method, options.progress)), options);
+  return answered(system, options);
 }
 
 }  // namespace gyromode

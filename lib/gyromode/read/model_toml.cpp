@@ -24,18 +24,21 @@ namespace {
 
 using namespace io;
 
-constexpr std::array<std::string_view, 11> matrices_keys{"kind",
+constexpr std::array<std::string_view, 13> matrices_keys{"kind",
                                                          "title",
                                                          "reference",
                                                          "known",
                                                          "labels",
+                                                         "frame",
+                                                         "symmetrise",
                                                          "mass",
                                                          "gyroscopic",
                                                          "stiffness",
                                                          "spin",
                                                          "gyroscopic_per_spin",
                                                          "stiffness_per_spin2"};
-constexpr std::array<std::string_view, 7> first_order_keys{"kind", "title", "reference", "known", "labels", "inertia", "gyroscopic"};
+constexpr std::array<std::string_view, 9> first_order_keys{"kind",  "title",      "reference", "known",     "labels",
+                                                           "frame", "symmetrise", "inertia",   "gyroscopic"};
 constexpr std::array<std::string_view, 3> known_keys{"frequencies", "stability", "class"};
 
 // A matrix, square and of order n where n is known (0: not yet).
@@ -75,7 +78,18 @@ void require_fitting_labels(const TomlTable& table, const Labels& labels, Index 
   }
 }
 
-std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, std::optional<double>& spin, Digest& digest) {
+// What is given from outside, widened by what the file asks for.
+Admission admission_of(const TomlTable& table, Admission given) {
+  const auto asked = table.number("symmetrise");
+  if (!asked) return given;
+  if (!(*asked >= 0 && *asked <= 2))
+    table.fail("symmetrise", fmt::format("'symmetrise' = {}: a fraction of the largest entry, from 0 to 2, was expected", *asked));
+  given.symmetrise = std::max(given.symmetrise, *asked);
+  return given;
+}
+
+std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, const Admission& given, std::optional<double>& spin,
+                                                   Digest& digest) {
   table.allow_only(matrices_keys);
   Labels labels = table.texts("labels");
   Index n = 0;
@@ -94,23 +108,25 @@ std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, std::
   require_fitting_labels(table, labels, n);
   Matrix g = gyroscopic ? std::move(*gyroscopic) : Matrix::Zero(n, n);
   Matrix k = stiffness ? std::move(*stiffness) : Matrix::Zero(n, n);
-  if (!spin) return std::make_shared<MatricesModel>(System(std::move(mass), std::move(g), std::move(k), std::move(labels)));
-  return std::make_shared<MatricesModel>(
-      SpinFamily{std::move(mass), std::move(g), per_spin.value_or(Matrix()), std::move(k), per_spin2.value_or(Matrix()), std::move(labels)},
-      *spin);
+  const Admission admission = admission_of(table, given);
+  if (!spin) return std::make_shared<MatricesModel>(System(std::move(mass), std::move(g), std::move(k), std::move(labels), admission));
+  return std::make_shared<MatricesModel>(SpinFamily{std::move(mass), std::move(g), per_spin.value_or(Matrix()), std::move(k),
+                                                    per_spin2.value_or(Matrix()), std::move(labels), admission},
+                                         *spin);
 }
 
-std::shared_ptr<const ModelKind> read_first_order(const TomlTable& table, std::optional<double>&, Digest& digest) {
+std::shared_ptr<const ModelKind> read_first_order(const TomlTable& table, const Admission& given, std::optional<double>&, Digest& digest) {
   table.allow_only(first_order_keys);
   Labels labels = table.texts("labels");
   Index n = 0;
   Matrix inertia = required(matrix(table, "inertia", n, digest), table, "inertia");
   Matrix g = required(matrix(table, "gyroscopic", n, digest), table, "gyroscopic");
   require_fitting_labels(table, labels, n);
-  return std::make_shared<FirstOrderModel>(FirstOrderSystem(std::move(inertia), std::move(g), std::move(labels)));
+  return std::make_shared<FirstOrderModel>(
+      FirstOrderSystem(std::move(inertia), std::move(g), std::move(labels), admission_of(table, given)));
 }
 
-std::shared_ptr<const ModelKind> read_spacecraft_model(const TomlTable& table, std::optional<double>& spin, Digest&) {
+std::shared_ptr<const ModelKind> read_spacecraft_model(const TomlTable& table, const Admission&, std::optional<double>& spin, Digest&) {
   Spacecraft s = read_spacecraft(table);
   spin = s.spin();
   return std::make_shared<SpacecraftModel>(std::move(s));
@@ -119,12 +135,13 @@ std::shared_ptr<const ModelKind> read_spacecraft_model(const TomlTable& table, s
 // Every kind: its word in model files, and who reads it.
 struct Kind {
   std::string_view word;
-  std::shared_ptr<const ModelKind> (*read)(const TomlTable& table, std::optional<double>& spin, Digest& digest);
+  std::shared_ptr<const ModelKind> (*read)(const TomlTable& table, const Admission& given, std::optional<double>& spin, Digest& digest);
+  Frame frame;  // where the file says nothing
 };
 constexpr Kind kinds[] = {
-    {"matrices", read_second_order},
-    {"first_order", read_first_order},
-    {"spacecraft", read_spacecraft_model},
+    {"matrices", read_second_order, Frame::unknown},
+    {"first_order", read_first_order, Frame::unknown},
+    {"spacecraft", read_spacecraft_model, Frame::turning},
 };
 
 std::string quoted_kinds(char quote) {
@@ -157,9 +174,11 @@ KnownValues read_known(const TomlTable& table) {
 
 }  // namespace
 
-Model read_model(const std::filesystem::path& file) { return parse_model(read_text(file, "TOML model"), file); }
+Model read_model(const std::filesystem::path& file, const Admission& admission) {
+  return parse_model(read_text(file, "TOML model"), file, admission);
+}
 
-Model parse_model(std::string_view text, const std::filesystem::path& name) {
+Model parse_model(std::string_view text, const std::filesystem::path& name, const Admission& admission) {
   const TomlTable table(text, name);
   const std::string word = table.text("kind").value_or("");
   if (word.empty()) table.fail(fmt::format("key 'kind' is missing: kind = {} was expected", quoted_kinds('"')));
@@ -169,18 +188,20 @@ Model parse_model(std::string_view text, const std::filesystem::path& name) {
   Digest digest;
   digest.add(text);
   std::optional<double> spin;
-  std::shared_ptr<const ModelKind> body = kind->read(table, spin, digest);
+  std::shared_ptr<const ModelKind> body = kind->read(table, admission, spin, digest);
   Model model(std::move(body), word);
   model.title = table.text("title").value_or(name.stem().string());
   model.reference = table.text("reference").value_or("");
   model.sha256 = digest.sha256();
   model.spin = spin;
+  const std::string frame = one_of(table, "frame", {"turning", "fixed"});
+  model.frame = frame == "turning" ? Frame::turning : frame == "fixed" ? Frame::fixed : kind->frame;
   model.known = read_known(table);
   return model;
 }
 
 Model read_matrices(const std::filesystem::path& mass, const std::optional<std::filesystem::path>& gyroscopic,
-                    const std::filesystem::path& stiffness) {
+                    const std::filesystem::path& stiffness, const Admission& admission) {
   Digest digest;
   Index n = 0;
   const auto read = [&](const std::filesystem::path& file) {
@@ -197,7 +218,7 @@ Model read_matrices(const std::filesystem::path& mass, const std::optional<std::
   Matrix m = read(mass);
   Matrix g = gyroscopic ? read(*gyroscopic) : Matrix::Zero(n, n);
   Matrix k = read(stiffness);
-  Model model{System(std::move(m), std::move(g), std::move(k))};
+  Model model{System(std::move(m), std::move(g), std::move(k), {}, admission)};
   model.title = mass.stem().string();
   model.sha256 = digest.sha256();
   return model;

@@ -114,6 +114,12 @@ std::vector<double> TomlTable::numbers(std::string_view key) const {
   return all;
 }
 
+std::optional<double> TomlTable::number(std::string_view key) const {
+  const toml::node* node = content_->table.get(key);
+  if (!node) return std::nullopt;
+  return finite_number(content_->file, *node, fmt::format("'{}'", key));
+}
+
 std::optional<double> TomlTable::frequency(std::string_view key) const {
   const toml::node* node = content_->table.get(key);
   if (!node) return std::nullopt;

@@ -29,6 +29,7 @@ class TomlTable {
   std::optional<std::string> text(std::string_view key) const;
   std::vector<std::string> texts(std::string_view key) const;   ///< empty for a missing key
   std::vector<double> numbers(std::string_view key) const;      ///< finite; empty for a missing key
+  std::optional<double> number(std::string_view key) const;     ///< finite
   std::optional<double> frequency(std::string_view key) const;  ///< rad/s; a number or a string with a unit
   /// A number in SI or a string with a unit of the dimension; finite.
   std::optional<double> quantity(std::string_view key, Dimension dimension) const;

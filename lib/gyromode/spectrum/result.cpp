@@ -1,6 +1,7 @@
 #include "gyromode/spectrum/result.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
 
 #include <fmt/format.h>
 
@@ -59,6 +60,10 @@ std::vector<std::string> ModesResult::remarks(std::optional<Index> lowest) const
   const Index vibrations = std::count_if(modes.begin(), modes.end(), [](const Mode& m) { return m.kind != ModeKind::rigid_body; });
   if (lowest && vibrations > *lowest)
     all.push_back(fmt::format("mode {} coincides with the next: {} modes are listed", *lowest, vibrations));
+  constexpr double last_digits = 16 * epsilon;  // every other program leaves that much
+  for (const Repair& r : repairs) {
+    if (r.own_scale > last_digits) all.push_back(r.in_words());
+  }
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include "gyromode/spectrum/window.h"
 #include "gyromode/structure/definiteness.h"
 #include "gyromode/structure/structure.h"
+#include "gyromode/system/symmetry.h"
 
 #include <array>
 #include <iosfwd>
@@ -36,6 +37,9 @@ struct Mode {
   /// displacement of the points of each outline, 3 × points, in the scale of the shape; spacecraft only, with shapes
   std::vector<ComplexMatrix> field;
   ComplexVector shape;  ///< empty unless asked for; largest entry 1 (the first of ties), n entries in the order of the labels
+  /// Xᴴ(2ωM − jG)X of that shape (of first order XᴴIX): what a change of H is divided by (theory (T15)); its sign is
+  /// energy_sign. 0 without shapes, of zero modes, and of a spacecraft with exact booms
+  double form = 0;
 };
 
 /// A growing motion: e^{σt}, with ω = 0 for divergence, ω > 0 for flutter. It stands for the pair ±σ or the quadruple
@@ -104,6 +108,7 @@ struct ModesResult {
   std::vector<Mode> modes;                   ///< in the window, ascending in ω
   std::vector<Mode> negative_modes;          ///< every mode of negative or undecided energy, whatever the window
   std::vector<UnstableMode> unstable;        ///< all, whatever the window
+  std::vector<Repair> repairs;               ///< of matrices that were not (skew-)symmetric, with what that does to the modes listed
 
   /// Whether every mode of the window was found, and counted.
   bool is_complete() const { return coverage.status == CoverageStatus::complete; }

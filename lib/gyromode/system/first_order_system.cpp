@@ -10,7 +10,7 @@
 
 namespace gyromode {
 
-FirstOrderSystem::FirstOrderSystem(Matrix inertia, Matrix gyroscopic, Labels labels)
+FirstOrderSystem::FirstOrderSystem(Matrix inertia, Matrix gyroscopic, Labels labels, const Admission& admission)
     : inertia_(std::move(inertia)), gyroscopic_(std::move(gyroscopic)), labels_(std::move(labels)) {
   require_order("a model", inertia_.rows());
   require_square("I", inertia_);
@@ -22,15 +22,17 @@ FirstOrderSystem::FirstOrderSystem(Matrix inertia, Matrix gyroscopic, Labels lab
   require_finite("G", gyroscopic_);
   if (labels_.empty()) labels_ = default_labels(size());
   require_labels(labels_, size());
-  symmetry_errors_ = {require_symmetric("I", inertia_), require_skew("G", gyroscopic_)};
-  inertia_ = symmetric_part(inertia_);
-  gyroscopic_ = skew_part(gyroscopic_);
+  const auto admit = [&](std::string_view name, Matrix& a, int sign) {
+    if (auto repair = made_symmetric(name, a, sign, admission)) repairs_.push_back(std::move(*repair));
+  };
+  admit("I", inertia_, 1);
+  admit("G", gyroscopic_, -1);
   require_positive_definite("I", inertia_, labels_);
 }
 
 FirstOrderSystem FirstOrderSystem::replaced(Matrix inertia, Matrix gyroscopic) const {
   FirstOrderSystem s(std::move(inertia), std::move(gyroscopic), labels_);
-  s.symmetry_errors_ = symmetry_errors_;
+  s.repairs_ = repairs_;
   return s;
 }
 

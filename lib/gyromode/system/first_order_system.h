@@ -2,6 +2,9 @@
 
 #include "gyromode/base/types.h"
 #include "gyromode/base/labels.h"
+#include "gyromode/system/symmetry.h"
+
+#include <vector>
 
 namespace gyromode {
 
@@ -11,22 +14,17 @@ namespace gyromode {
 /// Hermitian.
 class FirstOrderSystem {
  public:
-  /// Relative departures from symmetry found at the door, each within 16 ε.
-  struct SymmetryErrors {
-    double inertia = 0;     ///< of I
-    double gyroscopic = 0;  ///< of G
-  };
+  /// Labels default to q1 … qn; `admission` says how far the matrices may be from (skew-)symmetric. @throws LawBroken
+  /// where a law is broken
+  FirstOrderSystem(Matrix inertia, Matrix gyroscopic, Labels labels = {}, const Admission& admission = {});
 
-  /// Throws LawBroken where a law is broken. Labels default to q1 … qn.
-  FirstOrderSystem(Matrix inertia, Matrix gyroscopic, Labels labels = {});
+  Index size() const { return inertia_.rows(); }                   ///< n
+  const Matrix& inertia() const { return inertia_; }               ///< I, n × n, exactly symmetric
+  const Matrix& gyroscopic() const { return gyroscopic_; }         ///< G, n × n, exactly skew
+  const Labels& labels() const { return labels_; }                 ///< of the coordinates, n
+  const std::vector<Repair>& repairs() const { return repairs_; }  ///< of the matrices given, those that needed one
 
-  Index size() const { return inertia_.rows(); }                              ///< n
-  const Matrix& inertia() const { return inertia_; }                          ///< I, n × n, exactly symmetric
-  const Matrix& gyroscopic() const { return gyroscopic_; }                    ///< G, n × n, exactly skew
-  const Labels& labels() const { return labels_; }                            ///< of the coordinates, n
-  const SymmetryErrors& symmetry_errors() const { return symmetry_errors_; }  ///< of the matrices given
-
-  /// Other matrices in its place, an approximation of it: labels and symmetry errors are taken over. Throws as the
+  /// Other matrices in its place, an approximation of it: labels and repairs are taken over. Throws as the
   /// constructor.
   FirstOrderSystem replaced(Matrix inertia, Matrix gyroscopic) const;
 
@@ -37,7 +35,7 @@ class FirstOrderSystem {
   Matrix inertia_;
   Matrix gyroscopic_;
   Labels labels_;
-  SymmetryErrors symmetry_errors_;
+  std::vector<Repair> repairs_;
 };
 
 }  // namespace gyromode

@@ -16,42 +16,6 @@ namespace gyromode {
 
 namespace {
 
-// The pair (i, j), i ≥ j, where |a_ij − sign·a_ji| / √(r_i r_j) is largest, r_i the largest entry of row and column i:
-// units cancel.
-struct Departure {
-  Index i = 0, j = 0;
-  double size = 0;   // |a_ij − sign·a_ji|
-  double ratio = 0;  // over √(r_i r_j)
-};
-
-Departure largest_departure(const Matrix& a, double sign) {
-  const Vector rows = a.cwiseAbs().rowwise().maxCoeff().cwiseMax(a.cwiseAbs().colwise().maxCoeff().transpose());
-  Departure worst;
-  for (Index j = 0; j < a.cols(); ++j) {
-    for (Index i = j; i < a.rows(); ++i) {
-      const double size = std::abs(a(i, j) - sign * a(j, i));
-      if (size == 0) continue;
-      const double ratio = size / (std::sqrt(rows(i)) * std::sqrt(rows(j)));
-      if (!(ratio <= worst.ratio)) worst = {i, j, size, ratio};
-    }
-  }
-  return worst;
-}
-
-double require_symmetry(std::string_view name, const Matrix& a, double sign) {
-  const Departure b = largest_departure(a, sign);
-  if (b.ratio <= symmetry_tolerance) return b.ratio;
-  const double largest = a.cwiseAbs().maxCoeff();
-  const std::string law = fmt::format("{0} must satisfy {0} = {1}{0}ᵀ", name, sign > 0 ? "" : "−");
-  if (b.i == b.j) {
-    throw LawBroken(fmt::format("{}: the diagonal entry ({},{}) = {:.6g} must be 0, it is {:.2g} % of the largest entry", law, b.i + 1,
-                                b.j + 1, a(b.i, b.j), 100 * std::abs(a(b.i, b.j)) / largest));
-  }
-  throw LawBroken(fmt::format("{}: entries ({},{}) = {:.6g} and ({},{}) = {:.6g} {} by {:.3g}, {:.2g} % of the largest entry", law, b.j + 1,
-                              b.i + 1, a(b.j, b.i), b.i + 1, b.j + 1, a(b.i, b.j), sign > 0 ? "differ" : "miss opposite signs", b.size,
-                              100 * b.size / largest));
-}
-
 // Smallest eigenvalue of the unit-diagonal A, and the coordinate that weighs most in its vector; beyond order 256 the
 // smallest pivot or reciprocal condition, whichever is less.
 struct Weakest {
@@ -114,11 +78,5 @@ void require_positive_definite(std::string_view name, const Matrix& a, const Lab
       "takes part most",
       name, w.value, limit, labels[static_cast<std::size_t>(w.coordinate)]));
 }
-
-double require_symmetric(std::string_view name, const Matrix& a) { return require_symmetry(name, a, 1); }
-double require_skew(std::string_view name, const Matrix& a) { return require_symmetry(name, a, -1); }
-
-Matrix symmetric_part(const Matrix& a) { return 0.5 * a + 0.5 * a.transpose(); }
-Matrix skew_part(const Matrix& a) { return 0.5 * a - 0.5 * a.transpose(); }
 
 }  // namespace gyromode

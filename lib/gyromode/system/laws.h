@@ -22,15 +22,4 @@ void require_finite(std::string_view name, const Matrix& a);
 /// A positive definite: scaled to unit diagonal, its smallest eigenvalue above n ε.
 void require_positive_definite(std::string_view name, const Matrix& a, const Labels& labels);
 
-/// Rounding in another program leaves |a_ij − a_ji| of a few units in the last place. The law A = ±Aᵀ is kept when
-///     |a_ij ∓ a_ji| ≤ 16 ε √(r_i r_j),   r_i the largest |entry| of row and column i;
-/// the (skew-)symmetric part is then used, and the departure is reported (System::symmetry_errors, `checks` of gyromode
-/// structure).
-inline constexpr double symmetry_tolerance = 16 * epsilon;
-
-/// The largest |a_ij − a_ji| / √(r_i r_j); throws LawBroken above the tolerance.
-double require_symmetric(std::string_view name, const Matrix& a);
-/// The largest |a_ij + a_ji| / √(r_i r_j), likewise.
-double require_skew(std::string_view name, const Matrix& a);
-
 }  // namespace gyromode

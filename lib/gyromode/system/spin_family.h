@@ -14,6 +14,7 @@ struct SpinFamily {
   Matrix stiffness;            ///< K₀
   Matrix stiffness_per_spin2;  ///< K₂, or empty
   Labels labels;               ///< of the coordinates; empty: q1 … qn
+  Admission admission = {};    ///< how far M, G and K at any spin may be from (skew-)symmetric
 
   /// The system at one spin, rad per unit of time. Throws LawBroken.
   System at(double spin) const;

@@ -2,6 +2,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/labels.h"
+#include "gyromode/system/diagnosis.h"
 #include "gyromode/system/laws.h"
 
 #include <fmt/format.h>
@@ -17,9 +18,13 @@ void require_size(std::string_view name, const Matrix& a, Index n) {
     throw LawBroken(fmt::format("{} must have the order of M: it is {} × {}, M is {} × {}", name, a.rows(), a.cols(), n, n));
 }
 
+LawBroken explained(const LawBroken& e, const std::string& diagnosis) {
+  return diagnosis.empty() ? e : LawBroken(fmt::format("{}; {}", e.what(), diagnosis));
+}
+
 }  // namespace
 
-System::System(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labels labels)
+System::System(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labels labels, const Admission& admission)
     : mass_(std::move(mass)), gyroscopic_(std::move(gyroscopic)), stiffness_(std::move(stiffness)), labels_(std::move(labels)) {
   require_order("a model", mass_.rows());
   require_square("M", mass_);
@@ -32,16 +37,26 @@ System::System(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labels labels)
   require_finite("K", stiffness_);
   if (labels_.empty()) labels_ = default_labels(size());
   require_labels(labels_, size());
-  symmetry_errors_ = {require_symmetric("M", mass_), require_skew("G", gyroscopic_), require_symmetric("K", stiffness_)};
-  mass_ = symmetric_part(mass_);
-  gyroscopic_ = skew_part(gyroscopic_);
-  stiffness_ = symmetric_part(stiffness_);
-  require_positive_definite("M", mass_, labels_);
+  const auto admit = [&](std::string_view name, Matrix& a, int sign, auto&& diagnosis) {
+    try {
+      if (auto repair = made_symmetric(name, a, sign, admission)) repairs_.push_back(std::move(*repair));
+    } catch (const LawBroken& e) {
+      throw explained(e, diagnosis());
+    }
+  };
+  admit("M", mass_, 1, [] { return ""; });
+  admit("G", gyroscopic_, -1, [&] { return diagnosis_of_gyroscopic(mass_, gyroscopic_, stiffness_); });
+  admit("K", stiffness_, 1, [&] { return diagnosis_of_stiffness(mass_, gyroscopic_, stiffness_); });
+  try {
+    require_positive_definite("M", mass_, labels_);
+  } catch (const LawBroken& e) {
+    throw explained(e, diagnosis_of_mass(mass_, stiffness_));
+  }
 }
 
 System System::replaced(Matrix mass, Matrix gyroscopic, Matrix stiffness) const {
   System s(std::move(mass), std::move(gyroscopic), std::move(stiffness), labels_);
-  s.symmetry_errors_ = symmetry_errors_;
+  s.repairs_ = repairs_;
   return s;
 }
 

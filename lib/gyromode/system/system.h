@@ -2,6 +2,9 @@
 
 #include "gyromode/base/types.h"
 #include "gyromode/base/labels.h"
+#include "gyromode/system/symmetry.h"
+
+#include <vector>
 
 namespace gyromode {
 
@@ -11,24 +14,18 @@ namespace gyromode {
 /// Units are the caller's, but consistent: frequencies come out in rad per unit of time.
 class System {
  public:
-  /// Relative departures from symmetry found at the door, each within symmetry_tolerance.
-  struct SymmetryErrors {
-    double mass = 0;        ///< of M
-    double gyroscopic = 0;  ///< of G
-    double stiffness = 0;   ///< of K
-  };
+  /// Labels default to q1 … qn; `admission` says how far the matrices may be from (skew-)symmetric. @throws LawBroken
+  /// where a law is broken
+  System(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labels labels = {}, const Admission& admission = {});
 
-  /// Throws LawBroken where a law is broken. Labels default to q1 … qn.
-  System(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labels labels = {});
+  Index size() const { return mass_.rows(); }                      ///< n
+  const Matrix& mass() const { return mass_; }                     ///< M, n × n, exactly symmetric
+  const Matrix& gyroscopic() const { return gyroscopic_; }         ///< G, n × n, exactly skew
+  const Matrix& stiffness() const { return stiffness_; }           ///< K, n × n, exactly symmetric
+  const Labels& labels() const { return labels_; }                 ///< of the coordinates, n
+  const std::vector<Repair>& repairs() const { return repairs_; }  ///< of the matrices given, those that needed one
 
-  Index size() const { return mass_.rows(); }                                 ///< n
-  const Matrix& mass() const { return mass_; }                                ///< M, n × n, exactly symmetric
-  const Matrix& gyroscopic() const { return gyroscopic_; }                    ///< G, n × n, exactly skew
-  const Matrix& stiffness() const { return stiffness_; }                      ///< K, n × n, exactly symmetric
-  const Labels& labels() const { return labels_; }                            ///< of the coordinates, n
-  const SymmetryErrors& symmetry_errors() const { return symmetry_errors_; }  ///< of the matrices given
-
-  /// Other matrices in its place, an approximation of it: labels and symmetry errors are taken over. Throws as the
+  /// Other matrices in its place, an approximation of it: labels and repairs are taken over. Throws as the
   /// constructor.
   System replaced(Matrix mass, Matrix gyroscopic, Matrix stiffness) const;
 
@@ -40,11 +37,7 @@ class System {
   Matrix gyroscopic_;
   Matrix stiffness_;
   Labels labels_;
-  SymmetryErrors symmetry_errors_;
+  std::vector<Repair> repairs_;
 };
-
-/// ½(A + Aᵀ) and ½(A − Aᵀ): for callers who want a matrix repaired and say so.
-Matrix symmetric_part(const Matrix& a);
-Matrix skew_part(const Matrix& a);
 
 }  // namespace gyromode

@@ -66,7 +66,7 @@ void describe(const Model& model, const ModesResult& r, Writer& w) {
   w.say("class", class_words(model, r.structure) + (r.first_order ? "" : "; " + stiffness_words(r.stiffness)));
   if (model.ignored) w.say("left out", in_words(*model.ignored));
   w.fact("structure.path", r.solver, "solver", r.solver);
-  w.fact("stability", to_string(r.stability), "stability", stability_words(r.stability));
+  w.fact("stability", to_string(r.stability), "stability", stability_words(r.stability) + repaired_words(r.repairs));
   describe_balance(r.index_balance, w);
   w.fact("coverage",
          {{"status", to_string(c.status)},
@@ -77,6 +77,7 @@ void describe(const Model& model, const ModesResult& r, Writer& w) {
          "coverage", coverage_words(c));
   if (!c.reason.empty()) w.fact("coverage.reason", c.reason);
   if (c.interrupted) w.fact("interrupted", true);
+  describe_repairs(r.repairs, w);
   const bool shapes = !r.modes.empty() && r.modes.front().shape.size() > 0;
   const bool growing_shapes = !r.unstable.empty() && r.unstable.front().shape.size() > 0;
   const bool in_csv = w.for_csv() && (shapes || growing_shapes);

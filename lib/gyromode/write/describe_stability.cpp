@@ -174,8 +174,9 @@ void describe_map(const StabilityReport& r, Writer& w) {
 void describe(const Model& model, const StabilityReport& report, Writer& w) {
   const ModesResult& r = report.result;
   const IndexBalance& b = r.index_balance;
-  w.fact("stability", to_string(r.stability), "stability", stability_words(r.stability));
+  w.fact("stability", to_string(r.stability), "stability", stability_words(r.stability) + repaired_words(r.repairs));
   describe_balance(b, w);
+  describe_repairs(r.repairs, w);
   if (!r.first_order) {
     w.say("stiffness", stiffness_words(r.stiffness));
     w.say("balance", balance_words(b));

@@ -170,6 +170,7 @@ void tabulate_groups(const Model& model, const Structure& s, Writer& w) {
 void describe(const Model& model, const StructureReport& r, Writer& w) {
   const Structure& s = r.structure;
   describe_class(model, s, r.stiffness, r.stiffness_applies, w);
+  describe_repairs(r.repairs, w);
   w.say("class", class_words(model, s));
   if (s.system_class() == SystemClass::quadrature) {
     w.say("in phase", joined(model.labels(), s.in_phase()));

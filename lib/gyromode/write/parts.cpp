@@ -70,6 +70,20 @@ Json shape_json(const Labels& labels, const ComplexVector& shape) {
   return {{"labels", labels}, {"re", std::vector<double>(re.begin(), re.end())}, {"im", std::vector<double>(im.begin(), im.end())}};
 }
 
+void describe_repairs(const std::vector<Repair>& repairs, Writer& w) {
+  Json all = Json::array();
+  for (const Repair& r : repairs) {
+    Json one{{"matrix", r.matrix}, {"departure", r.departure}, {"size", r.size}, {"at", {r.row, r.column}}};
+    if (r.largest_effect) {
+      one["largest_effect"] = *r.largest_effect;
+      one["omega"] = r.effect_at;
+      one["error_bound"] = r.error_bound;
+    }
+    all.push_back(std::move(one));
+  }
+  if (!repairs.empty()) w.fact("repairs", std::move(all));
+}
+
 void describe_class(const Model& model, const Structure& s, const InertiaOfK& k, bool has_stiffness, Writer& w) {
   const bool quadrature = s.system_class() == SystemClass::quadrature;
   w.fact("structure.class", model.body->transcendental() ? "transcendental" : to_string(s.system_class()));

@@ -23,7 +23,14 @@ std::string joined(const Labels& labels, const std::vector<Index>& coordinates) 
 }
 
 std::string model_words(const Model& model) {
-  return fmt::format("{} ({}, {})", model.title, plural(model.size(), "coordinate"), model.body->in_words());
+  const std::string axes = model.frame == Frame::unknown ? "" : fmt::format("; {} axes", to_string(model.frame));
+  return fmt::format("{} ({}, {}{})", model.title, plural(model.size(), "coordinate"), model.body->in_words(), axes);
+}
+
+std::string repaired_words(const std::vector<Repair>& repairs) {
+  const bool beyond =
+      std::any_of(repairs.begin(), repairs.end(), [](const Repair& r) { return r.largest_effect.value_or(0) > r.error_bound; });
+  return beyond ? "; of the matrices as symmetrised: what was dropped can change it" : "";
 }
 
 std::string class_words(const Model& model, const Structure& s) {

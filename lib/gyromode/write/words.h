@@ -35,6 +35,9 @@ Json displacements(const std::vector<ComplexMatrix>& field);
 Json shape_json(const Labels& labels, const ComplexVector& shape);
 inline double hertz(double omega) { return omega / (2 * std::numbers::pi); }
 
+/// " of the symmetrised matrices", where what was dropped does more to a root than its error bound.
+std::string repaired_words(const std::vector<Repair>& repairs);
+void describe_repairs(const std::vector<Repair>& repairs, Writer& w);
 void describe_class(const Model& model, const Structure& s, const InertiaOfK& k, bool has_stiffness, Writer& w);
 void describe_balance(const IndexBalance& b, Writer& w);
 /// Modes under `key` in JSON; with their shapes where they have some.

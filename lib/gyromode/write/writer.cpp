@@ -19,8 +19,11 @@ class JsonWriter : public Writer {
  public:
   JsonWriter(std::string_view kind, const Model& model, const Timings& timings, int version) : Writer(Format::json, version) {
     root_["schema"] = fmt::format("gyromode/{}/{}", kind, version);
-    root_["model"] = {
-        {"title", model.title}, {"sha256", model.sha256}, {"coordinates", model.size()}, {"kind", model.kind}, {"frame", "turning"}};
+    root_["model"] = {{"title", model.title},
+                      {"sha256", model.sha256},
+                      {"coordinates", model.size()},
+                      {"kind", model.kind},
+                      {"frame", model.frame == Frame::unknown ? Json(nullptr) : Json(to_string(model.frame))}};
     if (model.ignored) root_["model"]["couplings_left_out"] = {{"up_to", model.ignored->tolerance}, {"largest", model.ignored->largest}};
     root_["versions"] = {{"gyromode", gyromode::version()}, {"blas", lapack::library()}};
     root_["timings"] = {{"read_s", timings.read}, {"solve_s", timings.solve}};

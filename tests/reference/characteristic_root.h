@@ -1,0 +1,13 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <complex>
+
+namespace gyromode::reference {
+
+/// The distance in the complex plane, in 100 digits, between a root of λ²M + λG + K with M, G, K as given and the root
+/// that it comes from of their (skew-)symmetric parts, both nearest to λ (Newton on det, from λ). n × n, n ≤ 12.
+double moved_by_asymmetry(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, const Eigen::MatrixXd& K, std::complex<double> lambda);
+
+}  // namespace gyromode::reference
