@@ -26,7 +26,7 @@ WORDS = {
     "19-circulatory.toml": "circulatory: cross-coupled stiffness",
     "26-cantilever-pipe.toml": "damping",
 }
-ANSWERED = {"17-massless.toml"}  # refused in the list, which was made before massless coordinates were condensed
+ANSWERED = {"17-massless.toml": [8.16496580927726]}  # refused in the list, which was made before massless coordinates were condensed: √(200/3)
 
 
 def check(what, good, detail=""):
@@ -80,7 +80,9 @@ for case in json.loads((cases / "expected.json").read_text()):
         doc, result = document("stability", name, "--vary", case["vary"])
         check(name, doc is not None, result.stderr)
         same(name, [c["value"] for c in (doc or {"critical": []})["critical"]], case["critical"], case["tol"])
-    elif "refused" in case and name not in ANSWERED:
+    elif name in ANSWERED:
+        answered(name, {"omega": ANSWERED[name], "growth": [], "zero_modes": 0})
+    elif "refused" in case:
         result = run("modes", name)
         check(name, result.returncode == case["refused"], f"exit code {result.returncode}")
         check(name, WORDS[name] in result.stderr and result.stderr.count("\n") == 1, result.stderr)

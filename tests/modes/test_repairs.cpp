@@ -54,8 +54,8 @@ TEST(Repairs, StatedEffectIsNoLessThanTheTrueOneAndNotTenTimesIt) {
     for (const UnstableMode& u : r.unstable)
       truth = std::max(truth, reference::moved_by_asymmetry(a.m, a.g, a.k, Complex(u.growth_rate, u.omega)));
     const double stated = r.repairs.front().largest_effect.value_or(-1);
-    EXPECT_GE(stated, truth) << "draw " << draw << ", n " << n << ", " << r.repairs.front().matrix << ", size " << size
-                                          << ", spin " << spin;
+    EXPECT_GE(stated, truth) << "draw " << draw << ", n " << n << ", " << r.repairs.front().matrix << ", size " << size << ", spin "
+                             << spin;
     EXPECT_LE(stated, 10 * truth) << "draw " << draw << ", n " << n << ", " << r.repairs.front().matrix << ", size " << size << ", spin "
                                   << spin;
     least = std::min(least, stated / truth);

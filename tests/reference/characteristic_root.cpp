@@ -78,4 +78,9 @@ double moved_by_asymmetry(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, co
   return static_cast<double>(abs(at(1) - at(0.5)));
 }
 
+double distance_to_root(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, const Eigen::MatrixXd& K, std::complex<double> lambda) {
+  const Complex start(lambda.real(), lambda.imag());
+  return static_cast<double>(abs(root({mixed(M, 1, 1), mixed(G, 1, -1), mixed(K, 1, 1)}, start) - start));
+}
+
 }  // namespace gyromode::reference

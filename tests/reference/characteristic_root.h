@@ -10,4 +10,8 @@ namespace gyromode::reference {
 /// that it comes from of their (skew-)symmetric parts, both nearest to λ (Newton on det, from λ). n × n, n ≤ 12.
 double moved_by_asymmetry(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, const Eigen::MatrixXd& K, std::complex<double> lambda);
 
+/// The distance of λ from the root of λ²M + λG + K nearest to it (Newton on det, from λ), in 100 digits; M may be
+/// singular.
+double distance_to_root(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, const Eigen::MatrixXd& K, std::complex<double> lambda);
+
 }  // namespace gyromode::reference

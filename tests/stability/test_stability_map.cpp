@@ -197,7 +197,8 @@ TEST(Parameters, OfEveryShippedModelAreReadBack) {
 // M, G, K of a family in spin: the spin scales G₁ and K₂; one entry is its mirror image too.
 TEST(Parameters, OfMatrices) {
   const SpinFamily family{Matrix::Identity(2, 2), turning(0.5), turning(2), diagonal(4, 9), diagonal(-1, -1), {}};
-  const MatricesModel model(family, 3);
+  const Model at_three(family, 3);
+  const ModelKind& model = *at_three.body;
   const auto system = [](const std::shared_ptr<const ModelKind>& m) { return *m->second_order(); };
   EXPECT_EQ(system(model.with({{"spin", 2}})).gyroscopic(), turning(4.5));
   EXPECT_EQ(system(model.with({{"spin", 2}})).stiffness(), diagonal(0, 5));
@@ -216,7 +217,8 @@ TEST(Parameters, OfMatrices) {
 
 // Every mistake that a caller can make is an exception, and no entry is given two values.
 TEST(Parameters, ValuesThatContradictEachOther) {
-  const MatricesModel model(SpinFamily{Matrix::Identity(2, 2), turning(0.5), turning(2), diagonal(4, 9), {}, {}}, 3);
+  const Model at_three(SpinFamily{Matrix::Identity(2, 2), turning(0.5), turning(2), diagonal(4, 9), {}, {}}, 3);
+  const ModelKind& model = *at_three.body;
   EXPECT_EQ(model.with({{"gyroscopic[*][*]", 7}, {"spin", 0}})->second_order()->gyroscopic()(0, 1), 7);
   EXPECT_THROW(model.with({{"gyroscopic[0][1]", 7}, {"gyroscopic[1][0]", 7}}), InvalidArgument);
   EXPECT_NO_THROW(model.with({{"stiffness[0][1]", 1}, {"stiffness[1][0]", 1}}));
@@ -224,7 +226,7 @@ TEST(Parameters, ValuesThatContradictEachOther) {
   const Model craft = read_model(GYROMODE_SOURCE_DIR "/models/geos.toml");
   EXPECT_THROW(craft.with({{"cable[*].length", 20}, {"cable[0].length", 21}}), InvalidArgument);
   EXPECT_THROW(require_parameter(*craft.body, "body.mass,cable[0].length"), InvalidArgument);  // kg and m
-  EXPECT_THROW(MatricesModel(SpinFamily{Matrix::Identity(2, 2), turning(1), Matrix::Zero(3, 3), diagonal(4, 9), {}, {}}, 1), LawBroken);
+  EXPECT_THROW(Model(SpinFamily{Matrix::Identity(2, 2), turning(1), Matrix::Zero(3, 3), diagonal(4, 9), {}, {}}, 1), LawBroken);
 }
 
 TEST(Parameters, AfterCouplingsWereLeftOut) {

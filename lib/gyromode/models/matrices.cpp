@@ -29,8 +29,8 @@ double departure_of(std::string_view matrix, const std::vector<Repair>& repairs)
 
 }  // namespace
 
-MatricesModel::MatricesModel(SpinFamily family, double spin)
-    : system_(family.at(spin)), family_(std::make_shared<const SpinFamily>(std::move(family))), spin_(spin) {}
+MatricesModel::MatricesModel(FamilyAtSpin matrices)
+    : system_(matrices.family->at(matrices.spin.value_or(0))), matrices_(std::move(matrices)) {}
 
 ModesResult MatricesModel::modes(const ModesOptions& options) const { return find_modes(system_, options); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/models/family_parameters.h"
 #include "gyromode/models/model_kind.h"
 #include "gyromode/models/matrix_parameters.h"
 #include "gyromode/system/first_order_system.h"
@@ -20,8 +21,8 @@ struct CouplingsLeftOut {
 class MatricesModel : public ModelKind {
  public:
   explicit MatricesModel(System system) : system_(std::move(system)) {}
-  /// Throws LawBroken.
-  MatricesModel(SpinFamily family, double spin);
+  /// @throws LawBroken
+  explicit MatricesModel(FamilyAtSpin matrices);
 
   const System& system() const { return system_; }
   Index size() const override { return system_.size(); }
@@ -43,11 +44,10 @@ class MatricesModel : public ModelKind {
   std::optional<IgnoredCouplings> left_out() const override;
 
  private:
-  SpinFamily family() const;
+  FamilyAtSpin matrices_at_spin() const;
 
   System system_;
-  std::shared_ptr<const SpinFamily> family_;  // null where nothing depends on the spin
-  double spin_ = 0;
+  FamilyAtSpin matrices_;  // without a family where a System was given
   CouplingsLeftOut<MatricesModel> left_out_;
 };
 

@@ -1,10 +1,14 @@
 // The parameters of models made of matrices.
+#include "gyromode/models/condensed_model.h"
+#include "gyromode/models/family_parameters.h"
 #include "gyromode/models/matrices.h"
 
 #include "gyromode/base/error.h"
 #include "gyromode/models/parameter_keys.h"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace gyromode {
 
@@ -35,39 +39,60 @@ std::shared_ptr<const ModelKind> with_couplings_left_out(const CouplingsLeftOut<
 
 }  // namespace
 
-SpinFamily MatricesModel::family() const {
-  if (family_) return *family_;
-  return {system_.mass(), system_.gyroscopic(), {}, system_.stiffness(), {}, system_.labels(), {}};
-}
-
-std::vector<Parameter> MatricesModel::parameters() const {
-  if (left_out_.whole) return left_out_.whole->parameters();
+std::vector<Parameter> FamilyAtSpin::parameters() const {
   std::vector<Parameter> all;
-  if (family_) all.push_back({"spin", Dimension::frequency, spin_});
-  SpinFamily f = family();
+  if (spin) all.push_back({"spin", Dimension::frequency, *spin});
+  SpinFamily f = *family;
   for (Parameter& p : listed_entries(entries_of(f))) all.push_back(std::move(p));
   return all;
 }
 
-std::optional<Parameter> MatricesModel::parameter(std::string_view key) const {
-  if (left_out_.whole) return left_out_.whole->parameter(key);
-  if (key == "spin") return family_ ? std::optional(Parameter{"spin", Dimension::frequency, spin_}) : std::nullopt;
-  SpinFamily f = family();
+std::optional<Parameter> FamilyAtSpin::parameter(std::string_view key) const {
+  if (key == "spin") return spin ? std::optional(Parameter{"spin", Dimension::frequency, *spin}) : std::nullopt;
+  SpinFamily f = *family;
   return entry_named(entries_of(f), key);
+}
+
+FamilyAtSpin FamilyAtSpin::with(const std::vector<ParameterValue>& values) const {
+  std::optional<double> at = spin;
+  SpinFamily f = *family;
+  for (const ParameterValue& v : values) {
+    const bool is_spin = v.key == "spin" && spin;
+    if (is_spin) at = v.value;
+    require(is_spin || set_entries(entries_of(f), v), v);
+  }
+  for (const ParameterValue& v : values) require_kept(v.key == "spin" && spin ? *at == v.value : entries_have(entries_of(f), v), v);
+  return {std::make_shared<const SpinFamily>(std::move(f)), at};
+}
+
+std::shared_ptr<const ModelKind> model_of(FamilyAtSpin matrices) {
+  const SpinFamily::Sum sum = matrices.family->sum(matrices.spin.value_or(0));
+  if (auto c = condensation(matrices.family->mass, sum.gyroscopic, sum.stiffness, matrices.family->labels, matrices.family->admission))
+    return std::make_shared<CondensedModel>(std::move(matrices), std::move(*c));
+  return std::make_shared<MatricesModel>(std::move(matrices));
+}
+
+FamilyAtSpin MatricesModel::matrices_at_spin() const {
+  if (matrices_.family) return matrices_;
+  return {std::make_shared<const SpinFamily>(
+              SpinFamily{system_.mass(), system_.gyroscopic(), {}, system_.stiffness(), {}, system_.labels(), {}}),
+          std::nullopt};
+}
+
+std::vector<Parameter> MatricesModel::parameters() const {
+  return left_out_.whole ? left_out_.whole->parameters() : matrices_at_spin().parameters();
+}
+
+std::optional<Parameter> MatricesModel::parameter(std::string_view key) const {
+  return left_out_.whole ? left_out_.whole->parameter(key) : matrices_at_spin().parameter(key);
 }
 
 std::shared_ptr<const ModelKind> MatricesModel::with(const std::vector<ParameterValue>& values) const {
   if (left_out_.whole) return with_couplings_left_out(left_out_, values);
-  double spin = spin_;
-  SpinFamily f = family();
-  for (const ParameterValue& v : values) {
-    const bool is_spin = v.key == "spin" && family_;
-    if (is_spin) spin = v.value;
-    require(is_spin || set_entries(entries_of(f), v), v);
-  }
-  for (const ParameterValue& v : values) require_kept(v.key == "spin" && family_ ? spin == v.value : entries_have(entries_of(f), v), v);
-  if (family_) return std::make_shared<MatricesModel>(std::move(f), spin);
-  return std::make_shared<MatricesModel>(system_.replaced(std::move(f.mass), std::move(f.gyroscopic), std::move(f.stiffness)));
+  FamilyAtSpin changed = matrices_at_spin().with(values);
+  if (matrices_.family) return model_of(std::move(changed));
+  const SpinFamily& f = *changed.family;  // a System that was given as such keeps its repairs
+  return std::make_shared<MatricesModel>(system_.replaced(f.mass, f.gyroscopic, f.stiffness));
 }
 
 std::vector<Parameter> FirstOrderModel::parameters() const {

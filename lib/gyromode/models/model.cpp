@@ -10,7 +10,8 @@ namespace gyromode {
 Model::Model(std::shared_ptr<const ModelKind> kind_of_model, std::string word) : kind(std::move(word)), body(std::move(kind_of_model)) {}
 Model::Model(System system) : Model(std::make_shared<MatricesModel>(std::move(system)), "matrices") {}
 Model::Model(FirstOrderSystem system) : Model(std::make_shared<FirstOrderModel>(std::move(system)), "first_order") {}
-Model::Model(SpinFamily family, double spin_of_axes) : Model(std::make_shared<MatricesModel>(std::move(family), spin_of_axes), "matrices") {
+Model::Model(SpinFamily family, double spin_of_axes)
+    : Model(model_of({std::make_shared<const SpinFamily>(std::move(family)), spin_of_axes}), "matrices") {
   spin = spin_of_axes;
 }
 Model::Model(Spacecraft spacecraft) : Model(std::make_shared<SpacecraftModel>(std::move(spacecraft)), "spacecraft") {

@@ -38,10 +38,11 @@ std::string_view to_string(Frame frame);
 /// Frequencies are in rad per unit of time of the model (rad/s in SI). Questions that a kind has no answer to throw
 /// NotApplicable, with what to use instead.
 struct Model {
-  Model(System system);                   ///< M, G, K
-  Model(FirstOrderSystem system);         ///< I, G
-  Model(SpinFamily family, double spin);  ///< at one spin, rad per unit of time
-  Model(Spacecraft spacecraft);           ///< with exact booms
+  Model(System system);            ///< M, G, K
+  Model(FirstOrderSystem system);  ///< I, G
+  /// At one spin, rad per unit of time. Coordinates whose rows of M are zero are condensed.
+  Model(SpinFamily family, double spin);
+  Model(Spacecraft spacecraft);  ///< with exact booms
   /// Of a kind of one's own.
   explicit Model(std::shared_ptr<const ModelKind> kind_of_model, std::string word = "");
 

@@ -25,6 +25,8 @@ class ModelKind {
   virtual const Labels& labels() const = 0;
   /// For people, after the number of coordinates: "M, G, K".
   virtual std::string_view in_words() const = 0;
+  /// Coordinates without mass, which follow the others.
+  virtual Labels massless() const { return {}; }
   /// Whether H depends on ω by more than powers: there may be infinitely many modes.
   virtual bool transcendental() const { return false; }
   virtual bool finite() const { return true; }

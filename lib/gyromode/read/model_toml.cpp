@@ -6,6 +6,7 @@
 #include "gyromode/read/spacecraft_toml.h"
 #include "gyromode/formats/text_file.h"
 #include "gyromode/read/toml_table.h"
+#include "gyromode/models/family_parameters.h"
 #include "gyromode/models/matrices.h"
 #include "gyromode/models/spacecraft_model.h"
 #include "gyromode/system/laws.h"
@@ -109,10 +110,9 @@ std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, const
   Matrix g = gyroscopic ? std::move(*gyroscopic) : Matrix::Zero(n, n);
   Matrix k = stiffness ? std::move(*stiffness) : Matrix::Zero(n, n);
   const Admission admission = admission_of(table, given);
-  if (!spin) return std::make_shared<MatricesModel>(System(std::move(mass), std::move(g), std::move(k), std::move(labels), admission));
-  return std::make_shared<MatricesModel>(SpinFamily{std::move(mass), std::move(g), per_spin.value_or(Matrix()), std::move(k),
-                                                    per_spin2.value_or(Matrix()), std::move(labels), admission},
-                                         *spin);
+  return model_of({std::make_shared<const SpinFamily>(SpinFamily{std::move(mass), std::move(g), per_spin.value_or(Matrix()), std::move(k),
+                                                                 per_spin2.value_or(Matrix()), std::move(labels), admission}),
+                   spin});
 }
 
 std::shared_ptr<const ModelKind> read_first_order(const TomlTable& table, const Admission& given, std::optional<double>&, Digest& digest) {
@@ -218,7 +218,9 @@ Model read_matrices(const std::filesystem::path& mass, const std::optional<std::
   Matrix m = read(mass);
   Matrix g = gyroscopic ? read(*gyroscopic) : Matrix::Zero(n, n);
   Matrix k = read(stiffness);
-  Model model{System(std::move(m), std::move(g), std::move(k), {}, admission)};
+  Model model(model_of({std::make_shared<const SpinFamily>(SpinFamily{std::move(m), std::move(g), {}, std::move(k), {}, {}, admission}),
+                        std::nullopt}),
+              "matrices");
   model.title = mass.stem().string();
   model.sha256 = digest.sha256();
   return model;

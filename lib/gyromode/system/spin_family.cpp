@@ -19,13 +19,18 @@ void require_order_of(std::string_view name, const Matrix& part, const Matrix& w
 
 }  // namespace
 
-System SpinFamily::at(double spin) const {
+SpinFamily::Sum SpinFamily::sum(double spin) const {
   require_order_of("the part of G per spin", gyroscopic_per_spin, gyroscopic);
   require_order_of("the part of K per spin²", stiffness_per_spin2, stiffness);
   Matrix g = gyroscopic, k = stiffness;
   if (gyroscopic_per_spin.size() > 0) g += spin * gyroscopic_per_spin;
   if (stiffness_per_spin2.size() > 0) k += spin * spin * stiffness_per_spin2;
-  return System(mass, std::move(g), std::move(k), labels, admission);
+  return {std::move(g), std::move(k)};
+}
+
+System SpinFamily::at(double spin) const {
+  Sum s = sum(spin);
+  return System(mass, std::move(s.gyroscopic), std::move(s.stiffness), labels, admission);
 }
 
 }  // namespace gyromode

@@ -16,6 +16,13 @@ struct SpinFamily {
   Labels labels;               ///< of the coordinates; empty: q1 … qn
   Admission admission = {};    ///< how far M, G and K at any spin may be from (skew-)symmetric
 
+  /// G and K at one spin.
+  struct Sum {
+    Matrix gyroscopic;  ///< G₀ + ΩG₁
+    Matrix stiffness;   ///< K₀ + Ω²K₂
+  };
+  /// G and K at one spin, rad per unit of time. @throws LawBroken where orders differ
+  Sum sum(double spin) const;
   /// The system at one spin, rad per unit of time. Throws LawBroken.
   System at(double spin) const;
 };

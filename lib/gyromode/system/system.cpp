@@ -24,46 +24,54 @@ LawBroken explained(const LawBroken& e, const std::string& diagnosis) {
 
 }  // namespace
 
-System::System(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labels labels, const Admission& admission)
-    : mass_(std::move(mass)), gyroscopic_(std::move(gyroscopic)), stiffness_(std::move(stiffness)), labels_(std::move(labels)) {
-  require_order("a model", mass_.rows());
-  require_square("M", mass_);
-  require_square("G", gyroscopic_);
-  require_square("K", stiffness_);
-  require_size("G", gyroscopic_, size());
-  require_size("K", stiffness_, size());
-  require_finite("M", mass_);
-  require_finite("G", gyroscopic_);
-  require_finite("K", stiffness_);
-  if (labels_.empty()) labels_ = default_labels(size());
-  require_labels(labels_, size());
-  const auto admit = [&](std::string_view name, Matrix& a, int sign, auto&& diagnosis) {
+AdmittedMatrices admitted(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labels labels, const Admission& admission) {
+  AdmittedMatrices a{std::move(mass), std::move(gyroscopic), std::move(stiffness), std::move(labels), {}};
+  require_order("a model", a.mass.rows());
+  require_square("M", a.mass);
+  require_square("G", a.gyroscopic);
+  require_square("K", a.stiffness);
+  const Index n = a.mass.rows();
+  require_size("G", a.gyroscopic, n);
+  require_size("K", a.stiffness, n);
+  require_finite("M", a.mass);
+  require_finite("G", a.gyroscopic);
+  require_finite("K", a.stiffness);
+  if (a.labels.empty()) a.labels = default_labels(n);
+  require_labels(a.labels, n);
+  const auto admit = [&](std::string_view name, Matrix& matrix, int sign, auto&& diagnosis) {
     try {
-      if (auto repair = made_symmetric(name, a, sign, admission)) repairs_.push_back(std::move(*repair));
+      if (auto repair = made_symmetric(name, matrix, sign, admission)) a.repairs.push_back(std::move(*repair));
     } catch (const LawBroken& e) {
       throw explained(e, diagnosis());
     }
   };
-  admit("M", mass_, 1, [] { return ""; });
-  admit("G", gyroscopic_, -1, [&] { return diagnosis_of_gyroscopic(mass_, gyroscopic_, stiffness_); });
-  admit("K", stiffness_, 1, [&] { return diagnosis_of_stiffness(mass_, gyroscopic_, stiffness_); });
+  admit("M", a.mass, 1, [] { return ""; });
+  admit("G", a.gyroscopic, -1, [&] { return diagnosis_of_gyroscopic(a.mass, a.gyroscopic, a.stiffness); });
+  admit("K", a.stiffness, 1, [&] { return diagnosis_of_stiffness(a.mass, a.gyroscopic, a.stiffness); });
+  return a;
+}
+
+System::System(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labels labels, const Admission& admission)
+    : System(admitted(std::move(mass), std::move(gyroscopic), std::move(stiffness), std::move(labels), admission)) {}
+
+System::System(AdmittedMatrices matrices) : of_(std::move(matrices)) {
   try {
-    require_positive_definite("M", mass_, labels_);
+    require_positive_definite("M", mass(), labels());
   } catch (const LawBroken& e) {
-    throw explained(e, diagnosis_of_mass(mass_, stiffness_));
+    throw explained(e, diagnosis_of_mass(mass(), stiffness()));
   }
 }
 
 System System::replaced(Matrix mass, Matrix gyroscopic, Matrix stiffness) const {
-  System s(std::move(mass), std::move(gyroscopic), std::move(stiffness), labels_);
-  s.repairs_ = repairs_;
+  System s(std::move(mass), std::move(gyroscopic), std::move(stiffness), labels());
+  s.of_.repairs = of_.repairs;
   return s;
 }
 
 ComplexMatrix System::impedance(double omega) const {
   ComplexMatrix h(size(), size());
-  h.real() = stiffness_ - omega * omega * mass_;
-  h.imag() = omega * gyroscopic_;
+  h.real() = stiffness() - omega * omega * mass();
+  h.imag() = omega * gyroscopic();
   return h;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace gyromode::io {
 
@@ -85,6 +86,12 @@ void describe_repairs(const std::vector<Repair>& repairs, Writer& w) {
 }
 
 void describe_class(const Model& model, const Structure& s, const InertiaOfK& k, bool has_stiffness, Writer& w) {
+  if (const Labels massless = model.body->massless(); !massless.empty()) {
+    std::vector<Index> all(massless.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    w.fact("structure.massless", massless, "no mass",
+           joined(massless, all) + ": condensed exactly, K, its sign and the class are of the others");
+  }
   const bool quadrature = s.system_class() == SystemClass::quadrature;
   w.fact("structure.class", model.body->transcendental() ? "transcendental" : to_string(s.system_class()));
   w.fact("structure.in_phase", quadrature ? labels_of(model.labels(), s.in_phase()) : Json::array());

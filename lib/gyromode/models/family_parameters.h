@@ -1,0 +1,30 @@
+#pragma once
+
+#include "gyromode/models/parameters.h"
+#include "gyromode/system/spin_family.h"
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace gyromode {
+
+class ModelKind;
+
+/// M, G₀, G₁, K₀, K₂ and the spin where they depend on one: what models of matrices of second order are made of, and
+/// their parameters.
+struct FamilyAtSpin {
+  std::shared_ptr<const SpinFamily> family;
+  std::optional<double> spin;  ///< nothing: G₁ and K₂ are empty
+
+  std::vector<Parameter> parameters() const;
+  std::optional<Parameter> parameter(std::string_view key) const;
+  /// @throws InvalidArgument for a key that names none, or values that contradict each other
+  FamilyAtSpin with(const std::vector<ParameterValue>& values) const;
+};
+
+/// The model of them: a MatricesModel, or where coordinates have no mass a CondensedModel. @throws LawBroken
+std::shared_ptr<const ModelKind> model_of(FamilyAtSpin matrices);
+
+}  // namespace gyromode
