@@ -10,8 +10,10 @@ namespace gyromode {
 
 /// M, G, K of one order n, finite, exactly (skew-)symmetric, with a label for every coordinate; M of whatever sign.
 struct AdmittedMatrices {
-  Matrix mass, gyroscopic, stiffness;
-  Labels labels;
+  Matrix mass;                  ///< M
+  Matrix gyroscopic;            ///< G
+  Matrix stiffness;             ///< K
+  Labels labels;                ///< n
   std::vector<Repair> repairs;  ///< of those given
 };
 
