@@ -3,25 +3,21 @@
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/formats/matrix_market.h"
 #include "gyromode/models/conversion.h"
 #include "gyromode/models/model_kind.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 namespace gyromode::app {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 struct Options {
   ModelSource source;
-  std::string folder;
+  std::string target, format = "mtx";
   bool quiet = false;
   bool realified = false;
   bool transformation = false;
@@ -40,28 +36,26 @@ ExitCode run(const Options& o) {
   };
   const Conversion all = converted(model, o.realified, o.transformation);
   say(all.remark);
-  std::error_code error;
-  fs::create_directories(o.folder, error);
-  if (!fs::is_directory(o.folder)) throw Unreadable(o.folder, "cannot be made a folder: a place to write matrices was expected");
-  std::string names;
-  for (const ConvertedMatrix& a : all.matrices) {
-    write_matrix_market(fs::path(o.folder) / (a.name + ".mtx"), a.matrix, a.symmetry, model.title + ": " + a.meaning);
-    names += fmt::format("{}{}.mtx", names.empty() ? "" : ", ", a.name);
-  }
+  const std::string written = write_matrices(all, model, o.target, o.format);
   if (model.ignored) say(in_words(*model.ignored));
-  say(fmt::format("{} written to {}", names, o.folder));
+  say(written);
   return ExitCode::done;
 }
 
 }  // namespace
 
 void add_convert(CLI::App& program, int& code) {
-  CLI::App* verb = program.add_subcommand("convert", "Write the matrices of a model as Matrix Market files");
+  CLI::App* verb =
+      program.add_subcommand("convert", "Write the matrices of a model: Matrix Market, .npy, CSV, .mat, .npz, or a model file");
   auto o = std::make_shared<Options>();
   o->source.add_to(*verb);
-  verb->add_option("-o,--output", o->folder, "Folder for M.mtx, G.mtx, K.mtx (I.mtx, G.mtx for first-order models)")
-      ->type_name("DIR")
+  verb->add_option("-o,--output", o->target,
+                   "Folder for M.mtx, G.mtx, K.mtx (I.mtx, G.mtx for first-order models), or one file: .mat, .npz, or .toml, a model file")
+      ->type_name("DIR|FILE")
       ->required();
+  verb->add_option("--to", o->format, "Of the files in a folder: mtx (Matrix Market), npy or csv")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"mtx", "npy", "csv"}));
   verb->add_option("--elements", o->elements, "Spacecraft: linear elements a cable (default 50)")
       ->type_name("N")
       ->check(CLI::Range(1, 2000));
@@ -73,7 +67,8 @@ void add_convert(CLI::App& program, int& code) {
                  "not symmetric the unitary Q1.mtx + j Q2.mtx");
   verb->add_flag("--quiet", o->quiet, "No remarks on stderr; errors remain");
   verb->footer(
-      "Example:\n  gyromode convert models/three_springs.toml -o matrices\n  gyromode convert models/wiresaw.toml -o matrices --realified "
+      "Examples:\n  gyromode convert models/three_springs.toml -o matrices\n  gyromode convert models/three_springs.toml -o springs.mat\n  "
+      "gyromode convert models/wiresaw.toml -o matrices --realified "
       "--transformation");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
 }

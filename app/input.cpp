@@ -28,10 +28,14 @@ double fraction(const std::string& option, const std::string& text) {
 }
 
 void ModelSource::add_to(CLI::App& verb) {
-  verb.add_option("model", model, "Model file (TOML); or give the three matrices below")->type_name("MODEL");
-  verb.add_option("--mass", mass, "Mass matrix M, Matrix Market")->type_name("M.mtx");
-  verb.add_option("--gyroscopic", gyroscopic, "Gyroscopic matrix G (skew), Matrix Market; left out: G = 0")->type_name("G.mtx");
-  verb.add_option("--stiffness", stiffness, "Stiffness matrix K, Matrix Market")->type_name("K.mtx");
+  verb.add_option("model", model, "Model file (TOML); or give matrices, below")->type_name("MODEL");
+  verb.add_option("--mass", mass,
+                  "Mass matrix M: Matrix Market, .npy, .mat, Harwell-Boeing, DMIG, OP4, CSV; FILE:NAME in a file of several")
+      ->type_name("FILE");
+  verb.add_option("--gyroscopic", gyroscopic, "Gyroscopic matrix G (skew), likewise; left out: G = 0")->type_name("FILE");
+  verb.add_option("--stiffness", stiffness, "Stiffness matrix K, likewise")->type_name("FILE");
+  verb.add_option("--matrices", container, "One file with M, G, K: .mat, .npz, DMIG, OP4")->type_name("FILE");
+  verb.add_option("--names", names, "What they are called there: M=Mass,G=Gyro,K=Stiff")->type_name("M=NAME,…")->delimiter(',');
   verb.add_option("--coupling-tolerance", coupling_tolerance,
                   "Couplings up to this fraction of the largest entry of their matrix are left out (default 0: none are)")
       ->type_name("FRACTION")
@@ -69,23 +73,38 @@ Admission ModelSource::admission() const {
 
 Model ModelSource::admitted(Model m) const { return coupling_tolerance == 0 ? m : m.without_couplings(coupling_tolerance); }
 
+// M=Mass,K=Stiff
+void ModelSource::name_matrices(MatrixFiles& files) const {
+  for (const std::string& pair : names) {
+    const std::size_t equals = pair.find('=');
+    const std::string which = pair.substr(0, equals);
+    std::string* name = which == "M"   ? &files.mass_name
+                        : which == "G" ? &files.gyroscopic_name
+                        : which == "K" ? &files.stiffness_name
+                                       : nullptr;
+    if (!name || equals == std::string::npos || equals + 1 == pair.size())
+      throw UsageError(fmt::format("--names {}: M=NAME, G=NAME or K=NAME was expected, parted by commas", pair));
+    *name = pair.substr(equals + 1);
+  }
+}
+
 Model ModelSource::read() const {
-  const bool matrices = !mass.empty() || !gyroscopic.empty() || !stiffness.empty();
-  if (model.empty() == !matrices) {
-    throw UsageError(
-        matrices
-            ? "give a model file or --mass and --stiffness, not both"
-            : "no model: give a model file (gyromode modes models/rigid_body.toml) or --mass M.mtx [--gyroscopic G.mtx] --stiffness K.mtx");
+  const bool three = !mass.empty() || !gyroscopic.empty() || !stiffness.empty();
+  const int given = int{!model.empty()} + int{three} + int{!container.empty()};
+  if (given != 1) {
+    throw UsageError(given > 1 ? "give a model file, --matrices, or --mass and --stiffness, not both"
+                               : "no model: give a model file (gyromode modes models/rigid_body.toml), --mass M.mtx [--gyroscopic G.mtx] "
+                                 "--stiffness K.mtx, or "
+                                 "--matrices model.mat");
   }
-  if (!matrices) return located(model, [&] { return admitted(read_model(model, admission())); });
-  if (mass.empty() || stiffness.empty()) {
+  if (!names.empty() && container.empty()) throw UsageError("--names goes with --matrices");
+  if (!model.empty()) return located(model, [&] { return admitted(read_model(model, admission())); });
+  MatrixFiles files{mass, gyroscopic, stiffness, container, {}, {}, {}};
+  name_matrices(files);
+  if (!container.empty()) return located(container, [&] { return admitted(read_matrices(files, admission())); });
+  if (mass.empty() || stiffness.empty())
     throw UsageError(fmt::format("{} is missing: M and K are both needed (G may be left out)", mass.empty() ? "--mass" : "--stiffness"));
-  }
-  const std::string files = fmt::format("{}, {}{}{}", mass, gyroscopic, gyroscopic.empty() ? "" : ", ", stiffness);
-  return located(files, [&] {
-    return admitted(
-        read_matrices(mass, gyroscopic.empty() ? std::nullopt : std::optional<std::filesystem::path>(gyroscopic), stiffness, admission()));
-  });
+  return located(mass, [&] { return admitted(read_matrices(files, admission())); });
 }
 
 void WindowOption::add_to(CLI::App& verb) {

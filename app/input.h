@@ -7,12 +7,14 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gyromode::app {
 
 /// Where a model comes from, a TOML file or three Matrix Market files, and what is asked of it at the door.
 struct ModelSource {
-  std::string model, mass, gyroscopic, stiffness;
+  std::string model, mass, gyroscopic, stiffness, container;
+  std::vector<std::string> names;
   double coupling_tolerance = 0;
   std::optional<std::string> symmetrise;
   bool strict = false;
@@ -26,6 +28,7 @@ struct ModelSource {
 
  private:
   Admission admission() const;
+  void name_matrices(MatrixFiles& files) const;
 };
 
 /// A window of frequencies, as [--below W | --window A:B].

@@ -237,7 +237,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"TooMany", general + "2 2 1\n1 1 1\n2 2 5\n", "K.mtx:4: '2 2 5' is one too many: line 2 promises 1"},
         Refusal{"TooManyInArray", array + "1 1\n1\n2\n", "K.mtx:4: '2' is one too many: line 2 promises 1"},
         Refusal{"TooManyInSkewArray", "%%MatrixMarket matrix array real skew-symmetric\n2 2\n1\n2\n",
-                "K.mtx:4: '2' is one too many: line 2 promises 1"},
+                "K.mtx:4: 2 values: line 2 promises 1, or 3 with the zero diagonal"},
         Refusal{"TooShort", general + "2 2 1\n1 1\n", "K.mtx:3: line '1 1' is too short: 'row column value' was expected"},
         Refusal{"Garbage", general + "2 2 1\n1 1 1 kg\n", "K.mtx:3: 'kg' is one too many on its line: 'row column value' was expected"},
         Refusal{"GarbageInArray", array + "1 1\n1 % one\n", "K.mtx:3: '%' is one too many on its line: one value a line was expected"},

@@ -47,10 +47,10 @@ double integer_value(const Lines& lines, std::string_view word) {
   return static_cast<double>(*value);
 }
 
-// Reads the data lines with `read_line()`. Their number is the one promised, or this throws; memory grows with the text
-// alone.
+// Reads the data lines with `read_line()`. Their number is the one promised, or `also`, or this throws; memory grows
+// with the text alone.
 template <class Item, class ReadLine>
-std::vector<Item> read_data(Lines& lines, const Size& size, std::string_view what, ReadLine read_line) {
+std::vector<Item> read_data(Lines& lines, const Size& size, std::string_view what, ReadLine read_line, Index also = -1) {
   std::vector<Item> items;
   while (lines.next_data()) {
     if (static_cast<Index>(items.size()) == size.entries) {
@@ -58,8 +58,11 @@ std::vector<Item> read_data(Lines& lines, const Size& size, std::string_view wha
     }
     items.push_back(read_line());
   }
-  if (static_cast<Index>(items.size()) < size.entries) {
-    lines.fail(fmt::format("the file ends after {} of the {} {} that line {} promises", items.size(), size.entries, what, size.line));
+  if (static_cast<Index>(items.size()) < size.entries && static_cast<Index>(items.size()) != also) {
+    if (also >= 0 && static_cast<Index>(items.size()) > also)
+      lines.fail(fmt::format("{} values: line {} promises {}, or {} with the zero diagonal", items.size(), size.line, also, size.entries));
+    const Index promised = also >= 0 ? also : size.entries;
+    lines.fail(fmt::format("the file ends after {} of the {} {} that line {} promises", items.size(), promised, what, size.line));
   }
   return items;
 }
@@ -131,14 +134,22 @@ Matrix read_coordinate(Lines& lines, const Banner& banner, const Size& size, con
   return a;
 }
 
-// Column by column; with symmetry each column starts at, or for skew-symmetric below, the diagonal.
+// Column by column; with symmetry each column starts at, or for skew-symmetric below, the diagonal. MATLAB and older
+// scipy write the zero diagonal of skew-symmetric ones, too.
 Matrix read_array(Lines& lines, const Banner& banner, const Size& size, const std::filesystem::path& name) {
   constexpr std::string_view form = "one value a line";
   const auto read_line = [&] { return read_value(lines, banner, lines.words(1, form)[0], form); };
-  const auto values = read_data<double>(lines, size, "values", read_line);
+  Size to_read = size;
+  const bool skew = banner.symmetry == Symmetry::skew_symmetric;
+  if (skew) to_read.entries += size.rows;
+  const auto values = read_data<double>(lines, to_read, "values", read_line, skew ? size.entries : to_read.entries);
+  const bool with_diagonal = skew && static_cast<Index>(values.size()) > size.entries;
   Matrix a = zero_matrix(size, name);
   auto value = values.begin();
   for (Index col = 0; col < size.cols; ++col) {
+    if (with_diagonal && *value++ != 0)
+      lines.fail(
+          fmt::format("entry ({0},{0}) = {1} is on the diagonal of a skew-symmetric matrix: zero was expected", col + 1, *(value - 1)));
     const Index first = banner.symmetry == Symmetry::general ? 0 : banner.symmetry == Symmetry::symmetric ? col : col + 1;
     for (Index row = first; row < size.rows; ++row) place(a, row, col, *value++, banner.symmetry);
   }

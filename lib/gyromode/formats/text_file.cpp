@@ -12,7 +12,9 @@
 
 namespace gyromode::io {
 
-std::string read_text(const std::filesystem::path& file, std::string_view what) {
+namespace {
+
+std::string read(const std::filesystem::path& file, std::string_view what, bool text_only) {
   constexpr std::size_t gibibyte = std::size_t{1} << 30;
   std::error_code error;
   const bool regular = std::filesystem::is_regular_file(file, error);
@@ -28,7 +30,7 @@ std::string read_text(const std::filesystem::path& file, std::string_view what) 
   do {
     in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
     const auto end = chunk.begin() + in.gcount();
-    const auto nul = std::find(chunk.begin(), end, '\0');
+    const auto nul = text_only ? std::find(chunk.begin(), end, '\0') : end;
     text.append(chunk.begin(), nul);
     if (nul != end) {
       const auto line = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
@@ -41,6 +43,11 @@ std::string read_text(const std::filesystem::path& file, std::string_view what) 
   if (in.bad()) throw Unreadable(file, fmt::format("cannot be read beyond byte {}", text.size()));
   return text;
 }
+
+}  // namespace
+
+std::string read_text(const std::filesystem::path& file, std::string_view what) { return read(file, what, true); }
+std::string read_bytes(const std::filesystem::path& file, std::string_view what) { return read(file, what, false); }
 
 std::string shown(std::string_view piece) {
   constexpr std::size_t most = 40;

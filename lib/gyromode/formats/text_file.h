@@ -9,6 +9,9 @@ namespace gyromode::io {
 /// The whole content of a file. Throws Unreadable where it is missing, a directory, unreadable, beyond 4 GiB (1 GiB
 /// where it is no regular file: a pipe, a device), or holds a NUL byte, which is read no further: text has none. `what`
 /// names what was expected in the message ("Matrix Market", "TOML").
+/// The same of a file of any bytes.
+std::string read_bytes(const std::filesystem::path& file, std::string_view what);
+
 std::string read_text(const std::filesystem::path& file, std::string_view what);
 
 /// A piece of a file as messages show it: 40 characters at most, and nothing that a terminal would obey.

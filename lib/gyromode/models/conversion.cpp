@@ -51,6 +51,8 @@ Conversion converted(const Model& model, bool realified, bool transformation) {
   for (const ModelKind::NamedMatrix& a : model.body->matrices()) {
     all.matrices.push_back({a.name, *a.matrix, a.skew ? Symmetry::skew_symmetric : Symmetry::symmetric, a.meaning});
   }
+  const System* of = model.body->second_order();
+  all.labels = of ? of->labels() : model.labels();
   if (all.matrices.empty()) throw NotApplicable("convert writes matrices, and this model is not made of any");
   if (!realified) return all;
   const System* second_order = model.body->second_order();

@@ -3,6 +3,7 @@
 #include "gyromode/formats/matrix_market.h"
 #include "gyromode/models/model.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct ConvertedMatrix {
 struct Conversion {
   std::vector<ConvertedMatrix> matrices;  ///< one a file
   std::string remark;                     ///< for people; may be empty
+  Labels labels;                          ///< of the coordinates of M, G, K
 };
 
 /// The matrices of a model: M, G, K; I, G. `realified`: also W, n × n, whose eigenvalues are ω²: symmetric in the
@@ -28,5 +30,11 @@ struct Conversion {
 /// symmetric.
 /// @throws NotApplicable for `realified` of a model of first order, or a model that is not made of matrices
 Conversion converted(const Model& model, bool realified, bool transformation);
+
+/// Writes them: into a folder, a file each (`format`: mtx, npy or csv); or as one file by its extension, .mat
+/// (MATLAB v5), .npz (NumPy), .toml (a model file: M, G, K or I, G, labels and frame). @returns what was written, for
+/// people. @throws Unreadable where the place cannot be written; InvalidArgument for another format or extension
+std::string write_matrices(const Conversion& conversion, const Model& model, const std::filesystem::path& target,
+                           const std::string& format = "mtx");
 
 }  // namespace gyromode

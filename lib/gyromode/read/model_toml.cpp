@@ -57,7 +57,7 @@ std::optional<Matrix> matrix(const TomlTable& table, std::string_view key, Index
 }
 
 Matrix required(std::optional<Matrix> a, const TomlTable& table, std::string_view key) {
-  if (!a) table.fail(fmt::format("key '{}' is missing: a Matrix Market file or rows of numbers was expected", key));
+  if (!a) table.fail(fmt::format("key '{}' is missing: a matrix file or rows of numbers was expected", key));
   return std::move(*a);
 }
 
@@ -105,7 +105,6 @@ std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, const
   }
   if (!spin && per_spin) table.fail("gyroscopic_per_spin", "'gyroscopic_per_spin' needs 'spin' = a frequency");
   if (!spin && per_spin2) table.fail("stiffness_per_spin2", "'stiffness_per_spin2' needs 'spin' = a frequency");
-  if (!stiffness && !per_spin2) table.fail("key 'stiffness' is missing: a Matrix Market file or rows of numbers was expected");
   require_fitting_labels(table, labels, n);
   Matrix g = gyroscopic ? std::move(*gyroscopic) : Matrix::Zero(n, n);
   Matrix k = stiffness ? std::move(*stiffness) : Matrix::Zero(n, n);
@@ -197,32 +196,6 @@ Model parse_model(std::string_view text, const std::filesystem::path& name, cons
   const std::string frame = one_of(table, "frame", {"turning", "fixed"});
   model.frame = frame == "turning" ? Frame::turning : frame == "fixed" ? Frame::fixed : kind->frame;
   model.known = read_known(table);
-  return model;
-}
-
-Model read_matrices(const std::filesystem::path& mass, const std::optional<std::filesystem::path>& gyroscopic,
-                    const std::filesystem::path& stiffness, const Admission& admission) {
-  Digest digest;
-  Index n = 0;
-  const auto read = [&](const std::filesystem::path& file) {
-    const std::string text = read_text(file, "Matrix Market");
-    digest.add(text);
-    Matrix a = parse_matrix_market(text, file, most_coordinates);
-    if (a.rows() != a.cols())
-      throw Unreadable(file, fmt::format("has {} rows and {} columns: a square matrix was expected", a.rows(), a.cols()));
-    if (n != 0 && a.rows() != n)
-      throw Unreadable(file, fmt::format("is {0} × {0}: the order of '{2}', {1} × {1}, was expected", a.rows(), n, mass.string()));
-    n = a.rows();
-    return a;
-  };
-  Matrix m = read(mass);
-  Matrix g = gyroscopic ? read(*gyroscopic) : Matrix::Zero(n, n);
-  Matrix k = read(stiffness);
-  Model model(model_of({std::make_shared<const SpinFamily>(SpinFamily{std::move(m), std::move(g), {}, std::move(k), {}, {}, admission}),
-                        std::nullopt}),
-              "matrices");
-  model.title = mass.stem().string();
-  model.sha256 = digest.sha256();
   return model;
 }
 

@@ -18,8 +18,19 @@ Model read_model(const std::filesystem::path& file, const Admission& admission =
 /// The same from text in memory; `name` stands for the file in messages, and matrix files are sought in its folder.
 Model parse_model(std::string_view text, const std::filesystem::path& name, const Admission& admission = {});
 
-/// A model from Matrix Market files; without a gyroscopic one G = 0.
-Model read_matrices(const std::filesystem::path& mass, const std::optional<std::filesystem::path>& gyroscopic,
-                    const std::filesystem::path& stiffness, const Admission& admission = {});
+/// Where the matrices of a model are: a file each ("K.mtx", "model.mat:Stiff"), in any format that is read
+/// (read_matrices_of()); or a container of several with the names that they have there.
+struct MatrixFiles {
+  std::filesystem::path mass;        ///< M
+  std::filesystem::path gyroscopic;  ///< G; empty: 0
+  std::filesystem::path stiffness;   ///< K; empty: 0
+  std::filesystem::path container;   ///< instead of the three
+  /// In the container: for M, G, K. Empty: what people call them (M, mass, MAAX, …)
+  std::string mass_name, gyroscopic_name, stiffness_name;
+};
+
+/// A model from matrix files. Matrices whose rows are named there (DMIG) are brought to one order by those names.
+/// @throws Unreadable, LawBroken
+Model read_matrices(const MatrixFiles& files, const Admission& admission = {});
 
 }  // namespace gyromode

@@ -1,7 +1,7 @@
 #include "gyromode/read/toml_table.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/formats/matrix_market.h"
+#include "gyromode/formats/matrix_file.h"
 #include "gyromode/base/nearest.h"
 #include "gyromode/formats/text_file.h"
 #include "gyromode/read/toml_text.h"
@@ -48,7 +48,14 @@ double finite_number(const std::filesystem::path& file, const toml::node& node, 
   return *value;
 }
 
+// Rows of numbers; or a list of numbers, the diagonal.
 Matrix inline_rows(const std::filesystem::path& file, const toml::array& rows, std::string_view key) {
+  if (!rows.empty() && rows.get(0)->is_number()) {
+    Vector diagonal(static_cast<Index>(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      diagonal(static_cast<Index>(i)) = finite_number(file, *rows.get(i), fmt::format("number {} of the diagonal '{}'", i + 1, key));
+    return diagonal.asDiagonal();
+  }
   const auto* first = rows.empty() ? nullptr : rows.get(0)->as_array();
   if (!first || first->empty()) fail_at(file, rows, fmt::format("'{}' has no rows: [[…], […]] was expected", key));
   Matrix a(static_cast<Index>(rows.size()), static_cast<Index>(first->size()));
@@ -203,16 +210,15 @@ std::optional<Matrix> TomlTable::matrix(std::string_view key, Digest& digest) co
   const toml::node* node = content_->table.get(key);
   if (!node) return std::nullopt;
   if (const auto* rows = node->as_array()) return inline_rows(content_->file, *rows, key);
-  if (!node->is_string()) fail(key, fmt::format("'{}' is {}: a Matrix Market file or rows of numbers was expected", key, type_word(*node)));
-  const std::filesystem::path file = content_->file.parent_path() / *node->value<std::string>();
+  if (!node->is_string()) fail(key, fmt::format("'{}' is {}: a matrix file or rows of numbers was expected", key, type_word(*node)));
+  const std::string written = *node->value<std::string>();
+  const MatrixPlace place = matrix_place(content_->file.parent_path() / written);
   std::error_code error;
-  if (!std::filesystem::exists(file, error)) {
-    fail(key,
-         fmt::format("'{}' names '{}', which does not exist: a Matrix Market file was expected", key, shown(*node->value<std::string>())));
-  }
-  const std::string text = read_text(file, "Matrix Market");
-  digest.add(text);
-  return parse_matrix_market(text, file, most_coordinates);
+  if (!std::filesystem::exists(place.file, error))
+    fail(key, fmt::format("'{}' names '{}', which does not exist: a matrix file was expected", key, shown(written)));
+  const std::string bytes = read_bytes(place.file, "matrix");
+  digest.add(bytes);
+  return chosen_matrix(parse_matrices(bytes, place.file, most_coordinates), place).matrix;
 }
 
 void TomlTable::fail(std::string_view key, const std::string& message) const {

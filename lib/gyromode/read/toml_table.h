@@ -39,7 +39,8 @@ class TomlTable {
   std::optional<Matrix> diagonal_or_matrix(std::string_view key, Dimension dimension, std::size_t count) const;
   std::optional<TomlTable> table(std::string_view key) const;
   std::vector<TomlTable> tables(std::string_view key) const;  ///< [[key]], in order; empty for a missing key
-  /// A Matrix Market file, whose bytes are added to the digest, or rows of finite numbers.
+  /// A matrix file of any format that is read ("K.mtx", "model.mat:K"), whose bytes are added to the digest; rows of
+  /// finite numbers; or a list of them, the diagonal.
   std::optional<Matrix> matrix(std::string_view key, Digest& digest) const;
 
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;  ///< at the value of a key

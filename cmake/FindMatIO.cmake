@@ -1,0 +1,10 @@
+# MatIO::MatIO, MATLAB files (Debian: libmatio-dev).
+find_library(MATIO_LIBRARY matio)
+find_path(MATIO_INCLUDE_DIR matio.h)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(MatIO REQUIRED_VARS MATIO_LIBRARY MATIO_INCLUDE_DIR)
+mark_as_advanced(MATIO_LIBRARY MATIO_INCLUDE_DIR)
+if(MatIO_FOUND AND NOT TARGET MatIO::MatIO)
+  add_library(MatIO::MatIO UNKNOWN IMPORTED)
+  set_target_properties(MatIO::MatIO PROPERTIES IMPORTED_LOCATION ${MATIO_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${MATIO_INCLUDE_DIR})
+endif()

@@ -1,0 +1,71 @@
+#include "gyromode/formats/matrix_file.h"
+
+#include "gyromode/formats/harwell_boeing.h"
+#include "gyromode/formats/matlab.h"
+#include "gyromode/formats/matrix_market.h"
+#include "gyromode/formats/nastran.h"
+#include "gyromode/formats/number_table.h"
+#include "gyromode/formats/numpy.h"
+#include "gyromode/formats/text_file.h"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+namespace gyromode {
+
+namespace {
+
+using namespace io;
+
+std::string names_of(const std::vector<NamedMatrix>& all) {
+  constexpr std::size_t most = 12;
+  std::string names;
+  for (std::size_t k = 0; k < all.size() && k < most; ++k) names += fmt::format("{}{}", k == 0 ? "" : ", ", shown(all[k].name));
+  return all.size() > most ? names + ", …" : names;
+}
+
+}  // namespace
+
+std::vector<NamedMatrix> parse_matrices(std::string_view bytes, const std::filesystem::path& name, std::optional<Index> most) {
+  if (is_npy(bytes)) return {{name.stem().string(), parse_npy(bytes, name, most), {}}};
+  if (is_npz(bytes)) return parse_npz(bytes, name, most);
+  if (is_op4(bytes)) return parse_op4(bytes, name, most);
+  if (is_matlab(bytes)) return read_matlab(name, most);
+  const std::string_view text = bytes.starts_with("\xEF\xBB\xBF") ? bytes.substr(3) : bytes;
+  if (text.starts_with("%%") || text.empty()) return {{name.stem().string(), parse_matrix_market(text, name, most), {}}};
+  if (is_dmig(text)) return parse_dmig(text, name, most);
+  if (is_harwell_boeing(text)) return {parse_harwell_boeing(text, name, most)};
+  if (text.find('\0') != std::string_view::npos)
+    throw Unreadable(
+        name,
+        "is a binary file of no format that is read: Matrix Market, .npy, .npz, .mat, OUTPUT4, DMIG, Harwell–Boeing or a table of "
+        "numbers was expected (docs/formats.md)");
+  return {parse_number_table(text, name, most)};
+}
+
+std::vector<NamedMatrix> read_matrices_of(const std::filesystem::path& file, std::optional<Index> most) {
+  return parse_matrices(read_bytes(file, "matrix"), file, most);
+}
+
+MatrixPlace matrix_place(const std::filesystem::path& written) {
+  std::error_code error;
+  const std::string text = written.string();
+  const std::size_t colon = text.rfind(':');
+  if (std::filesystem::exists(written, error) || colon == std::string::npos || colon == 0) return {written, ""};
+  return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+NamedMatrix chosen_matrix(std::vector<NamedMatrix> all, const MatrixPlace& place) {
+  if (place.name.empty()) {
+    if (all.size() == 1) return std::move(all.front());
+    throw Unreadable(place.file, fmt::format("holds {} matrices ({}): one was expected, chosen as {}:NAME", all.size(), names_of(all),
+                                             place.file.filename().string()));
+  }
+  for (NamedMatrix& m : all) {
+    if (m.name == place.name) return std::move(m);
+  }
+  throw Unreadable(place.file, fmt::format("holds no matrix '{}': it has {}", shown(place.name), names_of(all)));
+}
+
+}  // namespace gyromode

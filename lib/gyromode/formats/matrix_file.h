@@ -1,0 +1,44 @@
+#pragma once
+
+#include "gyromode/base/error.h"
+#include "gyromode/base/labels.h"
+#include "gyromode/base/types.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gyromode {
+
+/// A matrix of a file, with the name that it has there; in files without names that of the file.
+struct NamedMatrix {
+  std::string name;    ///< "M", "KAAX"
+  Matrix matrix;       ///< dense
+  Labels labels = {};  ///< of rows and columns, where the file names them: "12.3" is direction 3 of grid point 12
+};
+
+/// All matrices of a file, recognised by its content and not by its name: Matrix Market, NumPy .npy and .npz (dense,
+/// and scipy.sparse's layout), MATLAB .mat (v4 to v7.3, dense and sparse), Harwell–Boeing and Rutherford–Boeing,
+/// Nastran DMIG and OUTPUT4 (text and binary, dense and sparse, both endians), tables of numbers (CSV). `most`: the
+/// largest order that serves the caller. @throws Unreadable with place, value and what was expected
+std::vector<NamedMatrix> read_matrices_of(const std::filesystem::path& file, std::optional<Index> most = std::nullopt);
+
+/// The same from the bytes of a file; `name` stands for it in messages. A MATLAB file is read from `name` itself.
+std::vector<NamedMatrix> parse_matrices(std::string_view bytes, const std::filesystem::path& name,
+                                        std::optional<Index> most = std::nullopt);
+
+/// Where a matrix is: "K.mtx"; or "model.mat:Stiff", the one of that name in a file of several.
+struct MatrixPlace {
+  std::filesystem::path file;  ///< without the name
+  std::string name;            ///< empty: the only one
+};
+/// A file that exists under the whole of what is written is that file.
+MatrixPlace matrix_place(const std::filesystem::path& written);
+
+/// The one meant. @throws Unreadable where there are several and none is chosen, or none of that name, with the names
+/// that there are
+NamedMatrix chosen_matrix(std::vector<NamedMatrix> all, const MatrixPlace& place);
+
+}  // namespace gyromode

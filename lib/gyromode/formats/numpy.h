@@ -1,0 +1,20 @@
+#pragma once
+
+#include "gyromode/formats/matrix_file.h"
+
+namespace gyromode::io {
+
+/// A NumPy array file (.npy, versions 1 to 3): float or integer, of either endian and order, of one or two dimensions;
+/// a vector is a column.
+bool is_npy(std::string_view bytes);
+Matrix parse_npy(std::string_view bytes, const std::filesystem::path& name, std::optional<Index> most);
+
+/// A ZIP archive of them (.npz), stored or deflated; scipy.sparse's layout (csr, csc, coo, dia) is one matrix.
+bool is_npz(std::string_view bytes);
+std::vector<NamedMatrix> parse_npz(std::string_view bytes, const std::filesystem::path& name, std::optional<Index> most);
+
+/// The bytes of a .npy file of a matrix, float64, column by column; and of a .npz file of several.
+std::string format_npy(const Matrix& a);
+std::string format_npz(const std::vector<NamedMatrix>& matrices);
+
+}  // namespace gyromode::io

@@ -1,0 +1,276 @@
+// Format: MSC Nastran DMAP Programmer's Guide, module OUTPUT4. A column is a record (column, first row, words) with the
+// values below that row; where the first row is 0 it holds strings, each with a header: L · 65536 + row, or with BIGMAT
+// (rows written negative) the two numbers L and row; L counts words and the header, 1 + words of the string.
+#include "gyromode/base/number.h"
+#include "gyromode/formats/entries.h"
+#include "gyromode/formats/nastran.h"
+#include "gyromode/formats/text_file.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace gyromode::io {
+
+namespace {
+
+struct Header {
+  Index columns = 0, rows = 0;
+  int type = 2;  // 1 single, 2 double
+  bool big = false;
+  std::string name;
+
+  Index words() const { return type; }  // a value takes, of 4 bytes
+};
+
+[[noreturn]] void fail(const std::filesystem::path& name, std::size_t line, const std::string& message) {
+  throw Unreadable(name, line, 0, "OUTPUT4: " + message);
+}
+
+Header header_of(Index columns, Index rows, Index type, std::string_view written, const std::filesystem::path& name, std::size_t line) {
+  Header h;
+  h.columns = columns;
+  h.big = rows < 0;
+  h.rows = std::abs(rows);
+  if (type == 3 || type == 4) fail(name, line, "the matrix is complex: a real one was expected");
+  if (type != 1 && type != 2) fail(name, line, fmt::format("type {} of the matrix: 1 or 2 (real, single or double) was expected", type));
+  h.type = static_cast<int>(type);
+  for (const char c : written) {
+    if (c > ' ') h.name += c;
+  }
+  return h;
+}
+
+// What both forms have in common: words of a column, from a source that gives whole numbers and values.
+template <class Source>
+void read_column(Source& from, const Header& h, Index column, Index first, Index words, Entries& entries) {
+  const auto put = [&](Index row, Index count) {
+    if (row < 1 || count < 0 || row + count - 1 > h.rows)
+      from.fail(fmt::format("rows {} to {} of column {} are outside the matrix of {} rows", row, row + count - 1, column, h.rows));
+    for (Index k = 0; k < count; ++k) {
+      const double value = from.value(h.type);
+      if (value != 0) entries.add(row - 1 + k, column - 1, value);
+    }
+  };
+  if (first > 0) return put(first, words / h.words());
+  for (Index left = words; left > 0;) {
+    Index length = 0, row = 0;
+    if (h.big) {
+      length = from.whole() - 1;
+      row = from.whole();
+      left -= 2;
+    } else {
+      const Index packed = from.whole();
+      length = packed / 65536 - 1;
+      row = packed % 65536;
+      left -= 1;
+    }
+    if (length < 1 || length > left)
+      from.fail(fmt::format("a string of {} words in column {}, of which {} are left", length, column, left));
+    put(row, length / h.words());
+    left -= length;
+    from.end_of_string();
+  }
+}
+
+class TextSource {
+ public:
+  TextSource(std::string_view text, const std::filesystem::path& name) : rest_(text), name_(name) {}
+
+  bool over() const { return rest_.find_first_not_of(" \r\n") == std::string_view::npos; }
+  std::string_view line(std::string_view what) {
+    if (rest_.empty()) fail(fmt::format("the file ends where {} was expected", what));
+    const std::size_t end = rest_.find('\n');
+    std::string_view l = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    if (!l.empty() && l.back() == '\r') l.remove_suffix(1);
+    ++number_;
+    return l;
+  }
+  [[noreturn]] void fail(const std::string& message) const { io::fail(name_, number_, message); }
+  void format(FortranFormat f) { format_ = f; }
+  // Numbers of eight columns (or parted by blanks).
+  Index field(std::string_view l, std::size_t k) const {
+    std::string_view text = 8 * k < l.size() ? l.substr(8 * k, 8) : std::string_view();
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    const auto value = whole_number(text);
+    if (!value) fail(fmt::format("'{}' where a whole number eight columns wide was expected", shown(text)));
+    return *value;
+  }
+  Index whole() {  // a header of a string: a line of its own, with BIGMAT of two numbers
+    if (at_whole_ == 0) whole_line_ = line("the header of a string");
+    const Index value = field(whole_line_, at_whole_);
+    at_whole_ =
+        whole_line_.size() > 8 * (at_whole_ + 1) && whole_line_.find_first_not_of(' ', 8 * (at_whole_ + 1)) != std::string_view::npos
+            ? at_whole_ + 1
+            : 0;
+    return value;
+  }
+  double value(int) {
+    const auto width = static_cast<std::size_t>(format_.width);
+    if (at_ == 0 || at_ == format_.count) {
+      values_ = line("a value");
+      at_ = 0;
+    }
+    const std::size_t first = static_cast<std::size_t>(at_) * width;
+    const std::string_view text = first < values_.size() ? values_.substr(first, width) : std::string_view();
+    const auto value = fortran_number(text);
+    if (!value) fail(fmt::format("'{}' where a number {} columns wide was expected", shown(text), width));
+    ++at_;
+    return *value;
+  }
+  void end_of_string() { at_ = 0; }
+
+ private:
+  std::string_view rest_, values_, whole_line_;
+  const std::filesystem::path& name_;
+  std::size_t number_ = 0, at_whole_ = 0;
+  FortranFormat format_;
+  int at_ = 0;
+};
+
+NamedMatrix read_text_matrix(TextSource& from, const std::filesystem::path& name, std::optional<Index> most) {
+  const std::string_view first = from.line("the header of a matrix");
+  const Header h =
+      header_of(from.field(first, 0), from.field(first, 1), from.field(first, 3), first.size() > 32 ? first.substr(32, 8) : "", name, 1);
+  std::string_view written = first.size() > 40 ? first.substr(40) : std::string_view("1P,5E16.9");
+  while (!written.empty() && written.back() == ' ') written.remove_suffix(1);
+  const auto format = fortran_format(fmt::format("({})", written));
+  if (!format) from.fail(fmt::format("the format of values is '{}': one such as 1P,3E23.16 was expected", shown(written)));
+  from.format(*format);
+  Entries entries(name, most);
+  entries.require_size(h.rows, h.columns, h.rows * std::min<Index>(h.columns, 1 << 20));
+  for (;;) {
+    const std::string_view head = from.line("a column, or the column after the last,");
+    const Index column = from.field(head, 0), row = from.field(head, 1), words = from.field(head, 2);
+    if (column < 1) from.fail(fmt::format("column {} is outside the matrix of {} columns", column, h.columns));
+    if (column > h.columns) {
+      from.end_of_string();
+      if (words > 0) from.value(h.type);  // what closes the matrix
+      from.end_of_string();
+      break;
+    }
+    if (row < 0 || words < 0) from.fail(fmt::format("row {} and {} words of column {}", row, words, column));
+    from.end_of_string();
+    read_column(from, h, column, row, words, entries);
+    from.end_of_string();
+  }
+  return {h.name, entries.dense(h.rows, h.columns, 0), {}};
+}
+
+// Fortran records: their length, four bytes, before and behind.
+class BinarySource {
+ public:
+  BinarySource(std::string_view bytes, bool swapped, const std::filesystem::path& name) : bytes_(bytes), swapped_(swapped), name_(name) {}
+
+  bool over() const { return at_ >= bytes_.size(); }
+  [[noreturn]] void fail(const std::string& message) const { io::fail(name_, 0, fmt::format("{} (before byte {})", message, at_)); }
+  Index open() {
+    const Index length = number<std::int32_t>();
+    if (length < 0 || static_cast<std::size_t>(length) > bytes_.size() - at_)
+      fail(fmt::format("a record of {} bytes ends beyond the file", length));
+    end_ = at_ + static_cast<std::size_t>(length);
+    return length;
+  }
+  void close(Index length) {
+    at_ = end_;
+    if (number<std::int32_t>() != length) fail("a record does not end as it began");
+  }
+  Index whole() { return number<std::int32_t>(); }
+  double value(int type) {
+    const double v = type == 2 ? number<double>() : static_cast<double>(number<float>());
+    if (!std::isfinite(v)) fail("a value is not finite");
+    return v;
+  }
+  void end_of_string() {}
+  std::string_view text(std::size_t length) {
+    require(length);
+    const std::string_view t = bytes_.substr(at_, length);
+    at_ += length;
+    return t;
+  }
+
+ private:
+  void require(std::size_t length) const {
+    if (length > bytes_.size() - at_) fail("the file ends within a number");
+  }
+  template <class T>
+  T number() {
+    require(sizeof(T));
+    char b[sizeof(T)];
+    std::memcpy(b, bytes_.data() + at_, sizeof(T));
+    if (swapped_) {
+      for (std::size_t k = 0; k < sizeof(T) / 2; ++k) std::swap(b[k], b[sizeof(T) - 1 - k]);
+    }
+    at_ += sizeof(T);
+    T v;
+    std::memcpy(&v, b, sizeof(T));
+    return v;
+  }
+
+  std::string_view bytes_;
+  bool swapped_;
+  const std::filesystem::path& name_;
+  std::size_t at_ = 0, end_ = 0;
+};
+
+NamedMatrix read_binary_matrix(BinarySource& from, const std::filesystem::path& name, std::optional<Index> most) {
+  const Index length = from.open();
+  if (length != 24) from.fail(fmt::format("a header of {} bytes: 24 were expected", length));
+  const Index columns = from.whole(), rows = from.whole();
+  from.whole();  // the form
+  const Index type = from.whole();
+  const Header h = header_of(columns, rows, type, from.text(8), name, 0);
+  from.close(length);
+  Entries entries(name, most);
+  entries.require_size(h.rows, h.columns, h.rows * std::min<Index>(h.columns, 1 << 20));
+  for (;;) {
+    const Index record = from.open();
+    const Index column = from.whole(), row = from.whole(), words = from.whole();
+    if (column < 1 || row < 0 || words < 0) from.fail(fmt::format("column {}, row {}, {} words", column, row, words));
+    if (column <= h.columns) read_column(from, h, column, row, words, entries);
+    from.close(record);
+    if (column > h.columns) break;
+  }
+  return {h.name, entries.dense(h.rows, h.columns, 0), {}};
+}
+
+// A first record of 24 bytes: 0 of neither endian, 1 of this machine's, −1 of the other.
+int binary_order(std::string_view bytes) {
+  if (bytes.size() < 32) return 0;
+  std::uint32_t first = 0;
+  std::memcpy(&first, bytes.data(), 4);
+  if (first == 24) return 1;
+  return first == 24u << 24 ? -1 : 0;
+}
+
+bool is_text(std::string_view bytes) {
+  const std::string_view line = bytes.substr(0, bytes.find('\n'));
+  if (line.size() < 33) return false;
+  for (std::size_t k = 0; k < 32; ++k) {
+    if (!(line[k] == ' ' || line[k] == '-' || (line[k] >= '0' && line[k] <= '9'))) return false;
+  }
+  return line.substr(0, 8).find_first_of("0123456789") != std::string_view::npos && line[7] != ' ' && line[15] != ' ' && line[23] != ' ' &&
+         line[31] != ' ' && std::isalpha(static_cast<unsigned char>(line[32])) != 0;
+}
+
+}  // namespace
+
+bool is_op4(std::string_view bytes) { return binary_order(bytes) != 0 || is_text(bytes); }
+
+std::vector<NamedMatrix> parse_op4(std::string_view bytes, const std::filesystem::path& name, std::optional<Index> most) {
+  std::vector<NamedMatrix> all;
+  if (const int order = binary_order(bytes); order != 0) {
+    for (BinarySource from(bytes, order < 0, name); !from.over();) all.push_back(read_binary_matrix(from, name, most));
+  } else {
+    for (TextSource from(bytes, name); !from.over();) all.push_back(read_text_matrix(from, name, most));
+  }
+  return all;
+}
+
+}  // namespace gyromode::io
