@@ -26,7 +26,9 @@ struct MatrixFiles {
   std::filesystem::path stiffness;   ///< K; empty: 0
   std::filesystem::path container;   ///< instead of the three
   /// In the container: for M, G, K. Empty: what people call them (M, mass, MAAX, …)
-  std::string mass_name, gyroscopic_name, stiffness_name;
+  std::string mass_name;
+  std::string gyroscopic_name;  ///< likewise
+  std::string stiffness_name;   ///< likewise
 };
 
 /// A model from matrix files. Matrices whose rows are named there (DMIG) are brought to one order by those names.
