@@ -1,4 +1,4 @@
-# gyromode_layer(NAME SOURCES … DEPENDS … [LINKS …] [PUBLIC header…] [EXTENSION header…])
+# gyromode_layer(NAME SOURCES … DEPENDS … [LINKS …] [PUBLIC header…] [EXTENSION header…] [APART])   APART: files that have names of their own, and are not compiled in batches
 #
 # One folder of lib/gyromode is one object library. DEPENDS names the folders it may include; any other
 # `#include "gyromode/<folder>/…"` in it stops the configuration, so dependencies run one way.
@@ -35,7 +35,7 @@ function(gyromode_shelf shelf allowed folder)
 endfunction()
 
 function(gyromode_layer name)
-  cmake_parse_arguments(LAYER "" "" "SOURCES;DEPENDS;LINKS;PUBLIC;EXTENSION" ${ARGN})
+  cmake_parse_arguments(LAYER "APART" "" "SOURCES;DEPENDS;LINKS;PUBLIC;EXTENSION" ${ARGN})
   set(allowed ${name} ${LAYER_DEPENDS})
   file(GLOB_RECURSE files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   foreach(file ${files})
@@ -53,7 +53,7 @@ function(gyromode_layer name)
 
   set(target gyromode_${name})
   add_library(${target} OBJECT ${LAYER_SOURCES})
-  if(GYROMODE_UNITY STREQUAL ALL)
+  if(GYROMODE_UNITY STREQUAL ALL AND NOT LAYER_APART)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib>

@@ -2,6 +2,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/base/labels.h"
 #include "gyromode/formats/matrix_market.h"
+#include "gyromode/read/parametrised_model.h"
 #include "gyromode/read/read_model.h"
 #include "gyromode/read/spacecraft_toml.h"
 #include "gyromode/formats/text_file.h"
@@ -38,7 +39,7 @@ constexpr std::array<std::string_view, 13> matrices_keys{"kind",
                                                          "spin",
                                                          "gyroscopic_per_spin",
                                                          "stiffness_per_spin2"};
-constexpr std::array<std::string_view, 9> first_order_keys{"kind",  "title",      "reference", "known",     "labels",
+constexpr std::array<std::string_view, 10> first_order_keys{"parameters", "kind",  "title",      "reference", "known",     "labels",
                                                            "frame", "symmetrise", "inertia",   "gyroscopic"};
 constexpr std::array<std::string_view, 3> known_keys{"frequencies", "stability", "class"};
 
@@ -188,6 +189,15 @@ Model parse_model(std::string_view text, const std::filesystem::path& name, cons
   digest.add(text);
   std::optional<double> spin;
   std::shared_ptr<const ModelKind> body = kind->read(table, admission, spin, digest);
+  if (!table.parameters().empty()) {
+    const auto make = [table, admission, read = kind->read](const std::vector<ParameterValue>& values) -> ParametrisedModel::Made {
+      const TomlTable changed = table.with_parameters(values);
+      Digest unused;
+      std::optional<double> unused_spin;
+      return {changed.parameters(), read(changed, admission, unused_spin, unused)};
+    };
+    body = std::make_shared<ParametrisedModel>(make, ParametrisedModel::Made{table.parameters(), body});
+  }
   Model model(std::move(body), word);
   model.title = table.text("title").value_or(name.stem().string());
   model.reference = table.text("reference").value_or("");

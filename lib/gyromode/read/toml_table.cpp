@@ -4,11 +4,13 @@
 #include "gyromode/formats/matrix_file.h"
 #include "gyromode/base/nearest.h"
 #include "gyromode/formats/text_file.h"
+#include "gyromode/read/formulas.h"
 #include "gyromode/read/toml_text.h"
 #include "gyromode/system/laws.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <system_error>
@@ -19,6 +21,8 @@ struct TomlTable::Content {
   std::shared_ptr<const toml::table> document;  // whole: a copy of a part would not know its lines
   const toml::table& table;
   std::filesystem::path file;
+  std::shared_ptr<const Formulas> formulas;  // of the document
+  [[nodiscard]] Content part(const toml::table& inner) const { return {document, inner, file, formulas}; }
 };
 
 namespace {
@@ -48,12 +52,56 @@ double finite_number(const std::filesystem::path& file, const toml::node& node, 
   return *value;
 }
 
-// Rows of numbers; or a list of numbers, the diagonal.
-Matrix inline_rows(const std::filesystem::path& file, const toml::array& rows, std::string_view key) {
-  if (!rows.empty() && rows.get(0)->is_number()) {
+// A number, or a formula of the parameters.
+double number_or_formula(const std::filesystem::path& file, const toml::node& node, const Formulas& formulas, const std::string& what) {
+  if (!node.is_string()) return finite_number(file, node, what);
+  const std::string written = *node.value<std::string>();
+  const Formulas::Value v = formulas.evaluate(written);
+  if (v.fault) fail_at(file, node, fmt::format("{} = \"{}\": {}", what, shown(written), v.fault->message));
+  return v.value;
+}
+
+// The value of a parameter: a number, a quantity with its unit, or a formula of those before it.
+std::pair<double, std::optional<Dimension>> parameter_value(const std::filesystem::path& file, const toml::node& node, const Formulas& before,
+                                                            const std::string& what) {
+  if (node.is_string()) {
+    const std::string written = *node.value<std::string>();
+    for (const Dimension d : {Dimension::frequency, Dimension::length, Dimension::angle, Dimension::mass, Dimension::line_density, Dimension::inertia,
+                              Dimension::stiffness, Dimension::bending_stiffness}) {
+      if (const auto value = parse_quantity(written, d)) return {*value, d};
+    }
+  }
+  return {number_or_formula(file, node, before, what), std::nullopt};
+}
+
+std::shared_ptr<const Formulas> formulas_of(const toml::table& document, const std::filesystem::path& file,
+                                            const std::vector<ParameterValue>& instead) {
+  auto formulas = std::make_shared<Formulas>();
+  const toml::node* node = document.get("parameters");
+  if (!node) return formulas;
+  if (!node->is_table()) fail_at(file, *node, fmt::format("'parameters' is {}: a table [parameters] was expected", type_word(*node)));
+  // A table is sorted by its names: those that a formula needs are earlier in the file.
+  std::vector<std::pair<std::string, const toml::node*>> in_order;
+  for (const auto& [name, value] : *node->as_table()) in_order.emplace_back(std::string(name.str()), &value);
+  std::sort(in_order.begin(), in_order.end(), [](const auto& a, const auto& b) {
+    const auto &p = a.second->source().begin, &q = b.second->source().begin;
+    return p.line != q.line ? p.line < q.line : p.column < q.column;
+  });
+  for (const auto& [name, value] : in_order) {
+    const auto other = std::find_if(instead.begin(), instead.end(), [&](const ParameterValue& v) { return v.key == name; });
+    auto [number, dimension] = parameter_value(file, *value, *formulas, fmt::format("parameter '{}'", shown(name)));
+    if (other != instead.end()) number = other->value;
+    if (const auto fault = formulas->add(name, number, dimension)) fail_at(file, *value, "parameter " + fault->message);
+  }
+  return formulas;
+}
+
+// Rows of numbers or formulas; or a list of them, the diagonal.
+Matrix inline_rows(const std::filesystem::path& file, const toml::array& rows, std::string_view key, const Formulas& formulas) {
+  if (!rows.empty() && (rows.get(0)->is_number() || rows.get(0)->is_string())) {
     Vector diagonal(static_cast<Index>(rows.size()));
     for (std::size_t i = 0; i < rows.size(); ++i)
-      diagonal(static_cast<Index>(i)) = finite_number(file, *rows.get(i), fmt::format("number {} of the diagonal '{}'", i + 1, key));
+      diagonal(static_cast<Index>(i)) = number_or_formula(file, *rows.get(i), formulas, fmt::format("number {} of the diagonal '{}'", i + 1, key));
     return diagonal.asDiagonal();
   }
   const auto* first = rows.empty() ? nullptr : rows.get(0)->as_array();
@@ -70,7 +118,7 @@ Matrix inline_rows(const std::filesystem::path& file, const toml::array& rows, s
     }
     for (std::size_t j = 0; j < row->size(); ++j) {
       a(static_cast<Index>(i), static_cast<Index>(j)) =
-          finite_number(file, *row->get(j), fmt::format("entry ({},{}) of '{}'", i + 1, j + 1, key));
+          number_or_formula(file, *row->get(j), formulas, fmt::format("entry ({},{}) of '{}'", i + 1, j + 1, key));
     }
   }
   return a;
@@ -80,7 +128,14 @@ Matrix inline_rows(const std::filesystem::path& file, const toml::array& rows, s
 
 TomlTable::TomlTable(std::string_view text, const std::filesystem::path& file) {
   const auto document = std::make_shared<const toml::table>(parse_toml(text, file));
-  content_ = std::make_shared<const Content>(Content{document, *document, file});
+  content_ = std::make_shared<const Content>(Content{document, *document, file, formulas_of(*document, file, {})});
+}
+
+const std::vector<Parameter>& TomlTable::parameters() const { return content_->formulas->parameters(); }
+
+TomlTable TomlTable::with_parameters(const std::vector<ParameterValue>& values) const {
+  return TomlTable(std::make_shared<const Content>(
+      Content{content_->document, content_->table, content_->file, formulas_of(*content_->document, content_->file, values)}));
 }
 
 TomlTable::TomlTable(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
@@ -133,21 +188,24 @@ std::optional<double> TomlTable::frequency(std::string_view key) const {
   if (node->is_number()) return finite_number(content_->file, *node, fmt::format("'{}'", key));
   if (!node->is_string()) fail(key, fmt::format("'{}' is {}: {} was expected", key, type_word(*node), frequency_form));
   const std::string written = *node->value<std::string>();
-  const auto value = parse_frequency(written);
-  if (!value) fail(key, fmt::format("'{}' = \"{}\" is no frequency: {} was expected", key, shown(written), frequency_form));
-  return value;
+  if (const auto value = parse_frequency(written)) return value;
+  if (const auto value = content_->formulas->evaluate(written); !value.fault) return value.value;
+  fail(key, fmt::format("'{}' = \"{}\" is no frequency: {} was expected", key, shown(written), frequency_form));
 }
 
 namespace {
 
-double quantity_of(const std::filesystem::path& file, const toml::node& node, const std::string& what, Dimension dimension, bool infinite) {
+double quantity_of(const std::filesystem::path& file, const toml::node& node, const std::string& what, Dimension dimension, bool infinite,
+                   const Formulas& formulas) {
   if (infinite && node.is_floating_point() && std::isinf(*node.value<double>()) && *node.value<double>() > 0) return *node.value<double>();
   if (node.is_number()) return finite_number(file, node, what);
   if (!node.is_string()) fail_at(file, node, fmt::format("{} is {}: {} was expected", what, type_word(node), form_of(dimension)));
   const std::string written = *node.value<std::string>();
-  const auto value = parse_quantity(written, dimension);
-  if (!value) fail_at(file, node, fmt::format("{} = \"{}\": {} was expected", what, shown(written), form_of(dimension)));
-  return *value;
+  if (const auto value = parse_quantity(written, dimension)) return *value;
+  const Formulas::Value value = formulas.evaluate(written);
+  if (!value.fault) return value.value;
+  const std::string why = formulas.parameters().empty() ? "" : fmt::format(", or a formula of the parameters: {}", value.fault->message);
+  fail_at(file, node, fmt::format("{} = \"{}\": {} was expected{}", what, shown(written), form_of(dimension), why));
 }
 
 }  // namespace
@@ -155,7 +213,7 @@ double quantity_of(const std::filesystem::path& file, const toml::node& node, co
 std::optional<double> TomlTable::quantity(std::string_view key, Dimension dimension) const {
   const toml::node* node = content_->table.get(key);
   if (!node) return std::nullopt;
-  return quantity_of(content_->file, *node, fmt::format("'{}'", key), dimension, false);
+  return quantity_of(content_->file, *node, fmt::format("'{}'", key), dimension, false, *content_->formulas);
 }
 
 std::vector<double> TomlTable::quantities(std::string_view key, Dimension dimension, std::size_t count, bool infinite) const {
@@ -166,7 +224,8 @@ std::vector<double> TomlTable::quantities(std::string_view key, Dimension dimens
   if (!items) fail(key, fmt::format("'{}' is {}: {} values were expected, [ … ]", key, type_word(*node), count));
   if (items->size() != count) fail(key, fmt::format("'{}' has {} values: {} were expected", key, items->size(), count));
   for (std::size_t i = 0; i < count; ++i)
-    all.push_back(quantity_of(content_->file, *items->get(i), fmt::format("value {} of '{}'", i + 1, key), dimension, infinite));
+    all.push_back(quantity_of(content_->file, *items->get(i), fmt::format("value {} of '{}'", i + 1, key), dimension, infinite,
+                              *content_->formulas));
   return all;
 }
 
@@ -175,7 +234,7 @@ std::optional<Matrix> TomlTable::diagonal_or_matrix(std::string_view key, Dimens
   if (!node) return std::nullopt;
   const toml::array* items = node->as_array();
   if (items && !items->empty() && items->get(0)->is_array()) {
-    const Matrix rows = inline_rows(content_->file, *items, key);
+    const Matrix rows = inline_rows(content_->file, *items, key, *content_->formulas);
     if (rows.rows() != static_cast<Index>(count) || rows.cols() != rows.rows()) {
       fail(key, fmt::format("'{}' is {} × {}: {} values or {} × {} were expected", key, rows.rows(), rows.cols(), count, count, count));
     }
@@ -194,7 +253,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   for (const toml::node& item : *items) {
     if (!item.is_table())
       fail_at(content_->file, item, fmt::format("an item of '{}' is {}: a table [[{}]] was expected", key, type_word(item), key));
-    all.push_back(TomlTable(std::make_shared<const Content>(Content{content_->document, *item.as_table(), content_->file})));
+    all.push_back(TomlTable(std::make_shared<const Content>(content_->part(*item.as_table()))));
   }
   return all;
 }
@@ -203,13 +262,13 @@ std::optional<TomlTable> TomlTable::table(std::string_view key) const {
   const toml::node* node = content_->table.get(key);
   if (!node) return std::nullopt;
   if (!node->is_table()) fail(key, fmt::format("'{}' is {}: a table [{}] was expected", key, type_word(*node), key));
-  return TomlTable(std::make_shared<const Content>(Content{content_->document, *node->as_table(), content_->file}));
+  return TomlTable(std::make_shared<const Content>(content_->part(*node->as_table())));
 }
 
 std::optional<Matrix> TomlTable::matrix(std::string_view key, Digest& digest) const {
   const toml::node* node = content_->table.get(key);
   if (!node) return std::nullopt;
-  if (const auto* rows = node->as_array()) return inline_rows(content_->file, *rows, key);
+  if (const auto* rows = node->as_array()) return inline_rows(content_->file, *rows, key, *content_->formulas);
   if (!node->is_string()) fail(key, fmt::format("'{}' is {}: a matrix file or rows of numbers was expected", key, type_word(*node)));
   const std::string written = *node->value<std::string>();
   const MatrixPlace place = matrix_place(content_->file.parent_path() / written);

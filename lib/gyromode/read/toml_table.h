@@ -4,6 +4,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/base/quantity.h"
 #include "gyromode/base/types.h"
+#include "gyromode/models/parameters.h"
 #include "gyromode/system/laws.h"
 
 #include <filesystem>
@@ -20,8 +21,13 @@ namespace gyromode::io {
 /// and throws Unreadable with line, column, value and expectation for one of the wrong type or unit.
 class TomlTable {
  public:
-  /// Parses the text; `file` is named in messages, and file names in the text are relative to its folder.
+  /// Parses the text, and its [parameters]; `file` is named in messages, and file names in the text are relative to its folder.
   TomlTable(std::string_view text, const std::filesystem::path& file);
+
+  /// The [parameters] of the document.
+  const std::vector<Parameter>& parameters() const;
+  /// The same document with other values of some parameters, SI; those that are formulas of them follow.
+  TomlTable with_parameters(const std::vector<ParameterValue>& values) const;
 
   /// Throws for any key that is not in `keys`, with the nearest one that is.
   void allow_only(std::span<const std::string_view> keys) const;

@@ -1,0 +1,10 @@
+# MuParser::MuParser, formulas (Debian: libmuparser-dev).
+find_library(MUPARSER_LIBRARY muparser)
+find_path(MUPARSER_INCLUDE_DIR muParser.h)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(MuParser REQUIRED_VARS MUPARSER_LIBRARY MUPARSER_INCLUDE_DIR)
+mark_as_advanced(MUPARSER_LIBRARY MUPARSER_INCLUDE_DIR)
+if(MuParser_FOUND AND NOT TARGET MuParser::MuParser)
+  add_library(MuParser::MuParser UNKNOWN IMPORTED)
+  set_target_properties(MuParser::MuParser PROPERTIES IMPORTED_LOCATION ${MUPARSER_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${MUPARSER_INCLUDE_DIR})
+endif()
