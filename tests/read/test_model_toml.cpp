@@ -264,7 +264,8 @@ TEST_F(ModelToml, WrongTypes) {
               "model.toml:3:6: 'spin' is " + word + ": " + std::string(frequency_form) + " was expected");
   }
   EXPECT_EQ(error("kind='matrices'\nmass=1"), "model.toml:2:6: 'mass' is a number: a matrix file or rows of numbers was expected");
-  EXPECT_EQ(error("kind='matrices'\nmass=[['1']]"), "model.toml:2:8: entry (1,1) of 'mass' is a string: a number was expected");
+  EXPECT_EQ(error("kind='matrices'\nmass=[['one']]"),
+            "model.toml:2:8: entry (1,1) of 'mass' = \"one\": 'one' is no parameter; [parameters] are none");
   EXPECT_EQ(error("kind='matrices'\nlabels='x'"), "model.toml:2:8: 'labels' is a string: an array of strings was expected");
   EXPECT_EQ(error("kind='matrices'\nlabels=[1]"), "model.toml:2:9: an item of 'labels' is a number: a string was expected");
   EXPECT_EQ(error("kind='matrices'\nmass=[[1]]\nstiffness=[[1]]\ntitle=['a']"),

@@ -18,8 +18,9 @@ namespace {
 
 using Function = double (*)(double);
 constexpr std::pair<const char*, Function> functions[] = {
-    {"sin", std::sin},   {"cos", std::cos},   {"tan", std::tan},   {"asin", std::asin}, {"acos", std::acos}, {"atan", std::atan}, {"sinh", std::sinh},
-    {"cosh", std::cosh}, {"tanh", std::tanh}, {"sqrt", std::sqrt}, {"exp", std::exp},   {"log", std::log},   {"log10", std::log10}, {"abs", std::fabs}};
+    {"sin", std::sin},   {"cos", std::cos},   {"tan", std::tan},     {"asin", std::asin}, {"acos", std::acos},
+    {"atan", std::atan}, {"sinh", std::sinh}, {"cosh", std::cosh},   {"tanh", std::tanh}, {"sqrt", std::sqrt},
+    {"exp", std::exp},   {"log", std::log},   {"log10", std::log10}, {"abs", std::fabs}};
 constexpr std::array<std::string_view, 4> more_names{"atan2", "min", "max", "pi"};
 
 double least(const double* values, int count) { return *std::min_element(values, values + count); }
@@ -61,7 +62,8 @@ Formulas::Value Formulas::evaluate(const std::string& text) const {
   if (text.size() > longest) return {0, Fault{fmt::format("the formula is longer than {} characters", longest)}};
   for (const char c : text) {
     if (std::string_view("=<>&|?:!{}\"';").find(c) != std::string_view::npos)
-      return {0, Fault{fmt::format("'{}' has no place in a formula: numbers, parameters, + - * / ^, parentheses and functions were expected", c)}};
+      return {0, Fault{fmt::format(
+                     "'{}' has no place in a formula: numbers, parameters, + - * / ^, parentheses and functions were expected", c)}};
   }
   try {
     mu::Parser p;
@@ -75,7 +77,8 @@ Formulas::Value Formulas::evaluate(const std::string& text) const {
     std::string known;
     for (const Parameter& parameter : parameters_) known += (known.empty() ? "" : ", ") + parameter.key;
     if (e.GetCode() == mu::ecUNASSIGNABLE_TOKEN || e.GetCode() == mu::ecINVALID_NAME)
-      return {0, Fault{fmt::format("'{}' is no parameter{}", shown(e.GetToken()), known.empty() ? "; [parameters] are none" : ": there are " + known)}};
+      return {0, Fault{fmt::format("'{}' is no parameter{}", shown(e.GetToken()),
+                                   known.empty() ? "; [parameters] are none" : ": there are " + known)}};
     return {0, Fault{fmt::format("is no formula ({})", shown(e.GetMsg()))}};
   }
 }

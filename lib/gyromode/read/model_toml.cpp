@@ -26,7 +26,8 @@ namespace {
 
 using namespace io;
 
-constexpr std::array<std::string_view, 13> matrices_keys{"kind",
+constexpr std::array<std::string_view, 14> matrices_keys{"parameters",
+                                                         "kind",
                                                          "title",
                                                          "reference",
                                                          "known",
@@ -39,8 +40,8 @@ constexpr std::array<std::string_view, 13> matrices_keys{"kind",
                                                          "spin",
                                                          "gyroscopic_per_spin",
                                                          "stiffness_per_spin2"};
-constexpr std::array<std::string_view, 10> first_order_keys{"parameters", "kind",  "title",      "reference", "known",     "labels",
-                                                           "frame", "symmetrise", "inertia",   "gyroscopic"};
+constexpr std::array<std::string_view, 10> first_order_keys{"parameters", "kind",  "title",      "reference", "known",
+                                                            "labels",     "frame", "symmetrise", "inertia",   "gyroscopic"};
 constexpr std::array<std::string_view, 3> known_keys{"frequencies", "stability", "class"};
 
 // A matrix, square and of order n where n is known (0: not yet).

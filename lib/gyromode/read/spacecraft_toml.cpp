@@ -12,8 +12,8 @@ namespace gyromode::io {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> spacecraft_keys{"kind", "title", "reference", "known",       "parameters",
-                                                           "spin", "body",  "cable",     "beam",        "spring_mass"};
+constexpr std::array<std::string_view, 10> spacecraft_keys{"kind", "title", "reference", "known", "parameters",
+                                                           "spin", "body",  "cable",     "beam",  "spring_mass"};
 double required(const TomlTable& t, std::string_view key, Dimension d) {
   const auto value = t.quantity(key, d);
   if (!value) t.fail(fmt::format("key '{}' is missing: {} was expected", key, form_of(d)));

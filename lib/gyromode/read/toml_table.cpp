@@ -62,12 +62,12 @@ double number_or_formula(const std::filesystem::path& file, const toml::node& no
 }
 
 // The value of a parameter: a number, a quantity with its unit, or a formula of those before it.
-std::pair<double, std::optional<Dimension>> parameter_value(const std::filesystem::path& file, const toml::node& node, const Formulas& before,
-                                                            const std::string& what) {
+std::pair<double, std::optional<Dimension>> parameter_value(const std::filesystem::path& file, const toml::node& node,
+                                                            const Formulas& before, const std::string& what) {
   if (node.is_string()) {
     const std::string written = *node.value<std::string>();
-    for (const Dimension d : {Dimension::frequency, Dimension::length, Dimension::angle, Dimension::mass, Dimension::line_density, Dimension::inertia,
-                              Dimension::stiffness, Dimension::bending_stiffness}) {
+    for (const Dimension d : {Dimension::frequency, Dimension::length, Dimension::angle, Dimension::mass, Dimension::line_density,
+                              Dimension::inertia, Dimension::stiffness, Dimension::bending_stiffness}) {
       if (const auto value = parse_quantity(written, d)) return {*value, d};
     }
   }
@@ -87,7 +87,9 @@ std::shared_ptr<const Formulas> formulas_of(const toml::table& document, const s
     const auto &p = a.second->source().begin, &q = b.second->source().begin;
     return p.line != q.line ? p.line < q.line : p.column < q.column;
   });
-  for (const auto& [name, value] : in_order) {
+  for (const auto& entry : in_order) {
+    const std::string& name = entry.first;
+    const toml::node* value = entry.second;
     const auto other = std::find_if(instead.begin(), instead.end(), [&](const ParameterValue& v) { return v.key == name; });
     auto [number, dimension] = parameter_value(file, *value, *formulas, fmt::format("parameter '{}'", shown(name)));
     if (other != instead.end()) number = other->value;
@@ -101,7 +103,8 @@ Matrix inline_rows(const std::filesystem::path& file, const toml::array& rows, s
   if (!rows.empty() && (rows.get(0)->is_number() || rows.get(0)->is_string())) {
     Vector diagonal(static_cast<Index>(rows.size()));
     for (std::size_t i = 0; i < rows.size(); ++i)
-      diagonal(static_cast<Index>(i)) = number_or_formula(file, *rows.get(i), formulas, fmt::format("number {} of the diagonal '{}'", i + 1, key));
+      diagonal(static_cast<Index>(i)) =
+          number_or_formula(file, *rows.get(i), formulas, fmt::format("number {} of the diagonal '{}'", i + 1, key));
     return diagonal.asDiagonal();
   }
   const auto* first = rows.empty() ? nullptr : rows.get(0)->as_array();
@@ -224,8 +227,8 @@ std::vector<double> TomlTable::quantities(std::string_view key, Dimension dimens
   if (!items) fail(key, fmt::format("'{}' is {}: {} values were expected, [ … ]", key, type_word(*node), count));
   if (items->size() != count) fail(key, fmt::format("'{}' has {} values: {} were expected", key, items->size(), count));
   for (std::size_t i = 0; i < count; ++i)
-    all.push_back(quantity_of(content_->file, *items->get(i), fmt::format("value {} of '{}'", i + 1, key), dimension, infinite,
-                              *content_->formulas));
+    all.push_back(
+        quantity_of(content_->file, *items->get(i), fmt::format("value {} of '{}'", i + 1, key), dimension, infinite, *content_->formulas));
   return all;
 }
 

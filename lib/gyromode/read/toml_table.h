@@ -21,7 +21,8 @@ namespace gyromode::io {
 /// and throws Unreadable with line, column, value and expectation for one of the wrong type or unit.
 class TomlTable {
  public:
-  /// Parses the text, and its [parameters]; `file` is named in messages, and file names in the text are relative to its folder.
+  /// Parses the text, and its [parameters]; `file` is named in messages, and file names in the text are relative to its
+  /// folder.
   TomlTable(std::string_view text, const std::filesystem::path& file);
 
   /// The [parameters] of the document.
