@@ -4,6 +4,7 @@
 #include "input.h"
 
 #include "gyromode/base/number.h"
+#include "gyromode/base/quantity.h"
 
 #include <fmt/format.h>
 
@@ -21,6 +22,12 @@ Vector frequency_grid(const std::string& option, const std::string& text) {
     throw UsageError(fmt::format("{} {}: a number of points from 2 to 1000000 was expected at the end", option, text));
   if (!(a >= 0) || !(b > a)) throw UsageError(fmt::format("{} {}: 0 ≤ A < B was expected", option, text));
   return Vector::LinSpaced(static_cast<Index>(*n), a, b);
+}
+
+double time_option(const std::string& option, const std::string& text) {
+  const auto value = parse_quantity(text, Dimension::time);
+  if (!value) throw UsageError(fmt::format("{} {}: '{}' is no time: {} was expected", option, text, text, form_of(Dimension::time)));
+  return *value;
 }
 
 Vector time_grid(double until, double step) {

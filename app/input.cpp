@@ -116,13 +116,13 @@ void WindowOption::add_to(CLI::App& verb) {
 
 Window WindowOption::read() const {
   Window w;
-  if (!below.empty()) {
-    w.b = frequency_option("--below", below);
-  } else if (!window.empty()) {
-    const std::size_t colon = window.find(':');
-    if (colon == std::string::npos) throw UsageError(fmt::format("--window {}: A:B was expected, such as 0.1:2 or 1Hz:50Hz", window));
-    w.a = frequency_option("--window", window.substr(0, colon));
-    const std::string end = window.substr(colon + 1);
+  if (below) {
+    w.b = frequency_option("--below", *below);
+  } else if (window) {
+    const std::size_t colon = window->find(':');
+    if (colon == std::string::npos) throw UsageError(fmt::format("--window {}: A:B was expected, such as 0.1:2 or 1Hz:50Hz", *window));
+    w.a = frequency_option("--window", window->substr(0, colon));
+    const std::string end = window->substr(colon + 1);
     if (!end.empty()) w.b = frequency_option("--window", end);
   }
   if (!(w.a >= 0) || !(w.b > w.a)) throw UsageError(fmt::format("a window needs 0 ≤ A < B: [{}, {}) rad/s is none", w.a, w.b));

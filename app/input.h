@@ -20,6 +20,8 @@ struct ModelSource {
   bool strict = false;
 
   void add_to(CLI::App& verb);
+  /// The files that are read.
+  std::vector<std::string> files() const { return {model, mass, gyroscopic, stiffness, container}; }
   /// The model as every verb sees it: read, and without the couplings that are to be left out.
   Model read() const;
   /// The same of a model already made: its system without those couplings. Throws NotApplicable for a spacecraft, whose
@@ -33,10 +35,10 @@ struct ModelSource {
 
 /// A window of frequencies, as [--below W | --window A:B].
 struct WindowOption {
-  std::string below, window;
+  std::optional<std::string> below, window;
 
   void add_to(CLI::App& verb);
-  bool given() const { return !below.empty() || !window.empty(); }
+  bool given() const { return below || window; }
   Window read() const;
 };
 

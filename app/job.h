@@ -16,7 +16,8 @@ namespace gyromode::app {
 /// What every verb on a model does: read it, ask it, and know how long each took.
 class Job {
  public:
-  Job(const ModelSource& source, const OutputOption& output) : output_(output), model_(source.read()) {
+  Job(const ModelSource& source, const OutputOption& output)
+      : output_(output), model_((output.require_place(source.files()), source.read())) {
     timings_.read = watch_.lap();
     if (model_.size() >= worth_a_word) output.say(fmt::format("{} coordinates read in {:.2g} s; solving", model_.size(), timings_.read));
     if (model_.ignored) output.say(in_words(*model_.ignored));

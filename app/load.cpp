@@ -5,6 +5,7 @@
 
 #include "gyromode/base/nearest.h"
 #include "gyromode/base/number.h"
+#include "gyromode/base/quantity.h"
 
 #include <fmt/format.h>
 
@@ -16,9 +17,10 @@ namespace gyromode::app {
 namespace {
 
 double number(const std::string& text, const std::string& whole, const std::string& option) {
-  const Parsed p = parse_real(text);
-  if (p.outcome != Parsed::ok) throw UsageError(fmt::format("{} {}: '{}' is no finite number", option, whole, text));
-  return p.value;
+  for (const Dimension d : {Dimension::force, Dimension::moment}) {
+    if (const auto value = parse_quantity(text, d)) return *value;
+  }
+  throw UsageError(fmt::format("{} {}: '{}' is no finite number, alone or with N, kN, mN, N m", option, whole, text));
 }
 
 void add_amplitudes(const std::string& list, const std::string& whole, const Labels& labels, Vector& to) {
@@ -31,8 +33,7 @@ void add_amplitudes(const std::string& list, const std::string& whole, const Lab
     const std::string label = piece.substr(0, equals);
     const auto at = std::find(labels.begin(), labels.end(), label);
     if (at == labels.end())
-      throw UsageError(
-          fmt::format("--force {}: '{}' is no coordinate of the model: did you mean '{}'?", whole, label, nearest(label, known)));
+      throw UsageError(fmt::format("--force {}: '{}' is no coordinate of the model{}", whole, label, suggestion(label, known)));
     to(at - labels.begin()) += number(piece.substr(equals + 1), whole, "--force");
   }
 }
@@ -98,7 +99,7 @@ Labels labels_of(const std::string& list, const Labels& labels) {
   std::istringstream words(list);
   for (std::string label; std::getline(words, label, ',');) {
     if (std::find(labels.begin(), labels.end(), label) == labels.end())
-      throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model: did you mean '{}'?", label, nearest(label, known)));
+      throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model{}", label, suggestion(label, known)));
     if (std::find(chosen.begin(), chosen.end(), label) != chosen.end()) throw UsageError(fmt::format("--keep: '{}' is given twice", label));
     chosen.push_back(label);
   }

@@ -7,7 +7,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <string_view>
+#include <system_error>
 
 namespace gyromode::app {
 
@@ -25,7 +30,22 @@ Format OutputOption::chosen(Format otherwise) const {
   if (!pictures && (format == "svg" || (format.empty() && format_for(file) == Format::svg)))
     throw UsageError("svg is for the mode shapes of a spacecraft: gyromode modes MODEL -o shapes.svg");
   if (!format.empty()) return *format_named(format);
-  return file.empty() ? otherwise : format_for(file);
+  if (file.empty()) return otherwise;
+  return format_for(file);
+}
+
+void OutputOption::require_place(const std::vector<std::string>& inputs) const {
+  if (file.empty()) return;
+  const std::string extension = std::filesystem::path(file).extension().string();
+  constexpr std::string_view known[] = {"", ".json", ".csv", ".md", ".svg", ".txt", ".out", ".log"};
+  if (format.empty() && std::find(std::begin(known), std::end(known), extension) == std::end(known))
+    throw UsageError(fmt::format(
+        "-o {}: '{}' is no format that is written: .json, .csv, .md, .svg or .txt (a table) was expected, or --format", file, extension));
+  for (const std::string& input : inputs) {
+    std::error_code error;
+    if (!input.empty() && std::filesystem::equivalent(file, input, error) && !error)
+      throw UsageError(fmt::format("-o {} would overwrite the input: another file was expected", file));
+  }
 }
 
 void OutputOption::write(const std::string& text) const {

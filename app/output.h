@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace gyromode::app {
 
@@ -17,6 +18,8 @@ struct OutputOption {
 
   void add_to(CLI::App& verb);
   Format chosen(Format otherwise = Format::table) const;  ///< `otherwise`: on stdout without --format
+  /// Throws UsageError where the file is one of those read, or of a format that is not written.
+  void require_place(const std::vector<std::string>& inputs) const;
   /// To stdout, or to the file, which is replaced only by a complete result.
   void write(const std::string& text) const;
   /// A line on stderr, unless --quiet.

@@ -20,7 +20,7 @@ struct Options {
   ModelSource source;
   OutputOption output;
   std::string initial, times, frequencies;
-  std::optional<double> until, step;
+  std::optional<std::string> until, step;
   std::vector<std::string> forces, points;
   bool rates = false;
 };
@@ -31,7 +31,7 @@ Vector times_of(const Options& o) {
     return io::read_times(o.times);
   }
   if (!o.until || !o.step) throw UsageError("response needs times: --until T --step DT, or --times FILE");
-  return time_grid(*o.until, *o.step);
+  return time_grid(time_option("--until", *o.until), time_option("--step", *o.step));
 }
 
 ResponseReport moved(const Model& m, const Options& o, const Progress& progress) {
@@ -76,8 +76,8 @@ void add_response(CLI::App& program, int& code) {
   o->source.add_to(*verb);
   verb->add_option("--initial", o->initial, "Initial displacements and velocities: CSV with the columns label,q,qdot")
       ->type_name("FILE.csv");
-  verb->add_option("--until", o->until, "Last time, s")->type_name("T");
-  verb->add_option("--step", o->step, "Time between rows, s (output only: there is no time stepping)")->type_name("DT");
+  verb->add_option("--until", o->until, "Last time: s, or 20ms, 2min")->type_name("T");
+  verb->add_option("--step", o->step, "Time between rows, likewise (output only: there is no time stepping)")->type_name("DT");
   verb->add_option("--times", o->times, "Times instead of --until and --step: one a line, increasing")->type_name("FILE");
   verb->add_option("--force", o->forces, "impulse:LABEL=P,…  step:LABEL=F,…  harmonic:LABEL=F,…@W (F cos Wt); with --frequencies LABEL=F,…")
       ->type_name("FORCE")

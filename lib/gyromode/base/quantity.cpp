@@ -16,9 +16,27 @@ struct Unit {
 };
 
 constexpr double pi = std::numbers::pi;
-constexpr Unit frequency_units[] = {
-    {"", 1},           {"rad/s", 1}, {"Hz", 2 * pi},     {"kHz", 2000 * pi}, {"rpm", pi / 30}, {"krpm", 1000 * pi / 30},
-    {"rev/s", 2 * pi}, {"1/s", 1},   {"deg/s", pi / 180}};
+constexpr Unit frequency_units[] = {{"", 1},
+                                    {"rad/s", 1},
+                                    {"Hz", 2 * pi},
+                                    {"kHz", 2000 * pi},
+                                    {"rpm", pi / 30},
+                                    {"krpm", 1000 * pi / 30},
+                                    {"rev/s", 2 * pi},
+                                    {"1/s", 1},
+                                    {"deg/s", pi / 180},
+                                    {"mHz", 2e-3 * pi},
+                                    {"MHz", 2e6 * pi},
+                                    {"RPM", pi / 30},
+                                    {"rev/min", pi / 30},
+                                    {"1/min", pi / 30},
+                                    {"r/min", pi / 30},
+                                    {"rps", 2 * pi},
+                                    {"°/s", pi / 180},
+                                    {"mrad/s", 1e-3}};
+constexpr Unit time_units[] = {{"", 1}, {"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"µs", 1e-6}, {"min", 60}, {"h", 3600}};
+constexpr Unit force_units[] = {{"", 1}, {"N", 1}, {"kN", 1e3}, {"mN", 1e-3}, {"N s", 1}, {"Ns", 1}};
+constexpr Unit moment_units[] = {{"", 1}, {"N m", 1}, {"Nm", 1}, {"kN m", 1e3}, {"kNm", 1e3}, {"N m s", 1}, {"Nms", 1}};
 constexpr Unit length_units[] = {{"", 1}, {"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"km", 1e3}};
 constexpr Unit angle_units[] = {{"", 1}, {"rad", 1}, {"deg", pi / 180}, {"°", pi / 180}};
 constexpr Unit mass_units[] = {{"", 1}, {"kg", 1}, {"g", 1e-3}, {"t", 1e3}};
@@ -36,6 +54,9 @@ std::span<const Unit> units_of(Dimension d) {
     case Dimension::inertia: return inertia_units;
     case Dimension::stiffness: return stiffness_units;
     case Dimension::bending_stiffness: return bending_units;
+    case Dimension::time: return time_units;
+    case Dimension::force: return force_units;
+    case Dimension::moment: return moment_units;
     default: return frequency_units;
   }
 }
@@ -89,6 +110,9 @@ std::string_view form_of(Dimension dimension) {
     case Dimension::inertia: return "a number in kg m², or one with the unit: kg m², kg m2, kg m^2";
     case Dimension::stiffness: return "a number in N/m, or one with a unit: N/m, N/mm, kN/m";
     case Dimension::bending_stiffness: return "a number in N m², or one with the unit: N m², N m2, N m^2";
+    case Dimension::time: return "a number in s, or one with a unit: s, ms, us, min, h";
+    case Dimension::force: return "a number in N, or one with a unit: N, kN, mN";
+    case Dimension::moment: return "a number in N m, or one with a unit: N m, kN m";
     default: return frequency_form;
   }
 }

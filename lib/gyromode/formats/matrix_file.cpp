@@ -27,6 +27,15 @@ std::string names_of(const std::vector<NamedMatrix>& all) {
 
 }  // namespace
 
+std::string_view matrix_format(std::string_view bytes) {
+  if (is_npy(bytes) || is_npz(bytes)) return "NumPy";
+  if (is_op4(bytes)) return "OUTPUT4";
+  if (is_matlab(bytes)) return "MATLAB";
+  if (bytes.starts_with("%%MatrixMarket")) return "Matrix Market";
+  if (is_dmig(bytes)) return "DMIG";
+  return is_harwell_boeing(bytes) ? "Harwell–Boeing" : "";
+}
+
 std::vector<NamedMatrix> parse_matrices(std::string_view bytes, const std::filesystem::path& name, std::optional<Index> most) {
   if (is_npy(bytes)) return {{name.stem().string(), parse_npy(bytes, name, most), {}}};
   if (is_npz(bytes)) return parse_npz(bytes, name, most);

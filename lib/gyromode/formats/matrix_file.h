@@ -25,6 +25,10 @@ struct NamedMatrix {
 /// largest order that serves the caller. @throws Unreadable with place, value and what was expected
 std::vector<NamedMatrix> read_matrices_of(const std::filesystem::path& file, std::optional<Index> most = std::nullopt);
 
+/// What a file is, of the formats that cannot be taken for anything else ("NumPy", "MATLAB", "Matrix Market", …); empty
+/// for others.
+std::string_view matrix_format(std::string_view bytes);
+
 /// The same from the bytes of a file; `name` stands for it in messages. A MATLAB file is read from `name` itself.
 std::vector<NamedMatrix> parse_matrices(std::string_view bytes, const std::filesystem::path& name,
                                         std::optional<Index> most = std::nullopt);

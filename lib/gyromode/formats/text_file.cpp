@@ -49,6 +49,16 @@ std::string read(const std::filesystem::path& file, std::string_view what, bool 
 std::string read_text(const std::filesystem::path& file, std::string_view what) { return read(file, what, true); }
 std::string read_bytes(const std::filesystem::path& file, std::string_view what) { return read(file, what, false); }
 
+std::string start_of(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return "";
+  std::string bytes(4096, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
+
 std::string shown(std::string_view piece) {
   constexpr std::size_t most = 40;
   std::string out;

@@ -14,6 +14,9 @@ std::string read_bytes(const std::filesystem::path& file, std::string_view what)
 
 std::string read_text(const std::filesystem::path& file, std::string_view what);
 
+/// The first 4096 bytes of a regular file; empty of anything else.
+std::string start_of(const std::filesystem::path& file);
+
 /// A piece of a file as messages show it: 40 characters at most, and nothing that a terminal would obey.
 std::string shown(std::string_view piece);
 

@@ -60,7 +60,7 @@ Parameter require_parameter(const ModelKind& model, const std::string& keys) {
       }
       const std::vector<std::string_view> views(known.begin(), known.end());
       if (views.empty()) throw InvalidArgument(fmt::format("'{}' is no parameter: this kind of model has none", key));
-      throw InvalidArgument(fmt::format("'{}' is no parameter of the model: did you mean '{}'?", key, nearest(key, views)));
+      throw InvalidArgument(fmt::format("'{}' is no parameter of the model{}", key, suggestion(key, views)));
     }
     if (first && first->dimension != found->dimension) {
       throw InvalidArgument(fmt::format("'{}' and '{}' measure different things: one value cannot be both", first->key, found->key));

@@ -65,8 +65,7 @@ State parse_initial_state(std::string_view text, const std::filesystem::path& fi
     const std::string& label = row.fields[columns.label];
     const auto at = std::find(labels.begin(), labels.end(), label);
     if (at == labels.end())
-      throw Unreadable(file, row.line, 0,
-                       fmt::format("'{}' is no coordinate of the model: did you mean '{}'?", readable(label), nearest(label, known)));
+      throw Unreadable(file, row.line, 0, fmt::format("'{}' is no coordinate of the model{}", readable(label), suggestion(label, known)));
     const auto i = static_cast<std::size_t>(at - labels.begin());
     if (given[i] > 0)
       throw Unreadable(file, row.line, 0, fmt::format("'{}' is given a second time (first on line {})", readable(label), given[i]));

@@ -76,7 +76,7 @@ const NamedMatrix* found(const std::vector<NamedMatrix>& all, const std::string&
 }
 
 // G and K that name their rows, and M likewise, in the order of all names; zero where a matrix does not name a row.
-void bring_to_one_order(std::vector<Sourced*> matrices) {
+void bring_to_one_order(const std::vector<Sourced*>& matrices) {
   Labels all;
   for (const Sourced* s : matrices) {
     if (s->matrix.labels.empty()) return;

@@ -1,7 +1,7 @@
 #include "gyromode/formats/digest.h"
 #include "gyromode/base/error.h"
 #include "gyromode/base/labels.h"
-#include "gyromode/formats/matrix_market.h"
+#include "gyromode/formats/matrix_file.h"
 #include "gyromode/read/parametrised_model.h"
 #include "gyromode/read/read_model.h"
 #include "gyromode/read/spacecraft_toml.h"
@@ -176,6 +176,9 @@ KnownValues read_known(const TomlTable& table) {
 }  // namespace
 
 Model read_model(const std::filesystem::path& file, const Admission& admission) {
+  if (const std::string_view what = matrix_format(start_of(file)); !what.empty())
+    throw Unreadable(
+        file, fmt::format("is a matrix file ({}), no model: --mass, --gyroscopic, --stiffness or --matrices was expected before it", what));
   return parse_model(read_text(file, "TOML model"), file, admission);
 }
 

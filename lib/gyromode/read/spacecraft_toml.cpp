@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace gyromode::io {
 
@@ -110,7 +111,14 @@ Spacecraft read_spacecraft(const TomlTable& table) {
                                         : cables.empty() ? ""
                                                          : ", and without it no cable is taut"));
   }
-  return Spacecraft(spin, checked(*body, read_part<Body>(*body)), std::move(cables), std::move(beams), std::move(masses));
+  const bool beyond_a_turn =
+      std::any_of(cables.begin(), cables.end(), [](const Cable& c) { return std::abs(c.azimuth) > 2 * std::numbers::pi; });
+  try {
+    return Spacecraft(spin, checked(*body, read_part<Body>(*body)), std::move(cables), std::move(beams), std::move(masses));
+  } catch (const LawBroken& e) {
+    if (!beyond_a_turn || e.located()) throw;
+    throw LawBroken(std::string(e.what()) + "; an azimuth is beyond a whole turn: a bare number is in rad, degrees are written \"90 deg\"");
+  }
 }
 
 }  // namespace gyromode::io

@@ -147,7 +147,7 @@ void TomlTable::allow_only(std::span<const std::string_view> keys) const {
   for (const auto& [key, value] : content_->table) {
     if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
     throw Unreadable(content_->file, key.source().begin.line, key.source().begin.column,
-                     fmt::format("key '{}' is not known here: did you mean '{}'?", shown(key.str()), nearest(key.str(), keys)));
+                     fmt::format("key '{}' is not known here{}", shown(key.str()), suggestion(key.str(), keys)));
   }
 }
 

@@ -131,7 +131,11 @@ toml::table parse_toml(std::string_view text, const std::filesystem::path& file)
     for (char& c : message) {
       if (c == '\n' || c == '\r') c = ' ';
     }
-    throw Unreadable(file, e.source().begin.line, e.source().begin.column, fmt::format("is not TOML: {}", message));
+    throw Unreadable(file, e.source().begin.line, e.source().begin.column,
+                     fmt::format("is not TOML: {}{}", message,
+                                 message.find("cannot redefine existing table") == std::string::npos
+                                     ? ""
+                                     : "; parts of which there may be several are written [[cable]], in double brackets"));
   }
 }
 

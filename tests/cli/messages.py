@@ -1,0 +1,95 @@
+"""What people get wrong, and the one line that tells them what to do: exit code and words of each."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+program, source = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+models, files = source / "models", source / "tests" / "formats" / "files"
+failures = []
+ONE = 'kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[4, 0], [0, 9]]\n'
+
+
+def said(code, words, *arguments, model=None):
+    with tempfile.TemporaryDirectory() as folder:
+        here = pathlib.Path(folder)
+        (here / "m.toml").write_text(ONE if model is None else model)
+        result = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=here, timeout=120)
+        kept = (here / "m.toml").read_text() == (ONE if model is None else model)
+    what = " ".join(map(str, arguments))
+    if result.returncode != code:
+        failures.append(f"{what}: exit code {result.returncode}, not {code}: {result.stderr}")
+    elif code != 0 and (words not in result.stderr or result.stderr.count("\n") != 1):
+        failures.append(f"{what}: {result.stderr!r} does not say {words!r} in one line")
+    elif code == 0 and words not in result.stdout + result.stderr:
+        failures.append(f"{what}: {(result.stdout + result.stderr)[:200]!r} does not say {words!r}")
+    if not kept:
+        failures.append(f"{what}: the model was overwritten")
+
+
+# Verbs and options
+said(1, "'m.toml' is no verb: a verb comes first, such as gyromode modes m.toml", "m.toml")
+said(1, "'mode' is no verb: did you mean 'modes'?", "mode", "m.toml")
+said(1, "'analyse' is no verb: one of modes", "analyse", "m.toml")
+said(1, "'--windw' is no option of modes: did you mean '--window'?", "modes", "m.toml", "--windw", "1:2")
+said(0, "Usage: gyromode modes", "help", "modes")
+said(0, "Usage: gyromode", "help")
+said(0, "gyromode 0.", "-V")
+said(1, "'0' is no whole number above 0", "modes", "m.toml", "--lowest", "0")
+said(1, "'five' is no whole number above 0", "modes", "m.toml", "--lowest", "five")
+said(1, "'' is no frequency", "modes", "m.toml", "--below", "")
+said(0, "complete: found 2", "modes", "m.toml", "--below", "50 Hz")
+said(0, "complete: found 2", "modes", "m.toml", "--below", "1MHz")
+said(0, "complete: found 0", "modes", "m.toml", "--below", "5mHz")
+said(0, "complete: found 2", "modes", "m.toml", "--below", "300RPM")
+said(0, "complete: found 2", "modes", "m.toml", "--below", "300 rev/min")
+said(1, "would overwrite the input", "modes", "m.toml", "-o", "m.toml", "--format", "table")
+said(1, "'.xlsx' is no format that is written: .json, .csv, .md, .svg or .txt", "modes", "m.toml", "-o", "out.xlsx")
+said(0, "t,q1,q2", "response", "m.toml", "--force", "impulse:q1=5N", "--until", "1s", "--step", "250ms")
+said(1, "'1 parsec' is no time: a number in s, or one with a unit", "response", "m.toml", "--force", "step:q1=1", "--until", "1 parsec", "--step", "1")
+said(1, "is no finite number, alone or with N", "response", "m.toml", "--force", "step:q1=5lbf", "--until", "1", "--step", "1")
+said(1, "'q9' is no coordinate of the model: did you mean 'q1'?", "response", "m.toml", "--force", "step:q9=1", "--until", "1", "--step", "1")
+said(1, "a fraction of the largest entry, from 0 to 2", "modes", "m.toml", "--symmetrise=3")
+said(1, "'bogus' is no parameter of the model: one of", "stability", "m.toml", "--vary", "bogus=1:2:3")
+# Files
+said(2, "is a matrix file (Matrix Market), no model: --mass", "modes", models / "wiresaw" / "M.mtx")
+said(2, "is a matrix file (NumPy), no model", "modes", files / "M.npy")
+said(2, "is a matrix file (MATLAB), no model", "modes", files / "scipy_v5.mat")
+said(2, "the NumPy array is complex", "modes", "--mass", files / "complex.npy", "--stiffness", files / "K_csr.npz")
+# Keys by the names that people give them
+for key, words in {
+    "damping": "damping is not served; leave it out",
+    "C": "damping is not served; leave it out",
+    "M": "did you mean 'mass'?",
+    "K": "did you mean 'stiffness'?",
+    "coriolis": "did you mean 'gyroscopic'?",
+    "omega": "did you mean 'spin'?",
+    "rpm": "did you mean 'spin'?",
+    "dofs": "did you mean 'labels'?",
+    "symmetrize": "did you mean 'symmetrise'?",
+    "stifness": "did you mean 'stiffness'?",
+    "colour": "one of ",
+}.items():
+    said(2, words, "modes", "m.toml", model=ONE + f"{key} = 1\n")
+for key, words in {"wire": "did you mean 'cable'?", "boom": "did you mean 'cable'?", "hub": "did you mean 'body'?", "rpm": "did you mean 'spin'?"}.items():
+    said(2, words, "modes", "m.toml", model=f'kind = "spacecraft"\n{key} = 1\n')
+craft = (models / "geos.toml").read_text()
+said(2, "are written [[cable]], in double brackets", "modes", "m.toml", model=craft.replace("[[cable]]", "[cable]"))
+said(2, "tables [[cable]] were expected", "modes", "m.toml", model='kind = "spacecraft"\nspin = 1\n[body]\nmass = 1\ninertia = [1, 1, 1]\n[cable]\nlength = 1\n')
+said(3, 'a bare number is in rad, degrees are written "90 deg"', "modes", "m.toml", "--lowest", "2",
+     model='kind = "spacecraft"\nspin = 1\n[body]\nmass = 100\ninertia = [10, 11, 15]\n' + "".join(
+         f"[[cable]]\nazimuth = {a}\nradius = 0.5\nheight = 0\nlength = 10\nline_density = 0.01\n" for a in (90, 270)))
+# Laws
+said(3, "'q2' has neither mass nor", "modes", "m.toml", model='kind = "matrices"\nmass = [1, 0]\nstiffness = [1, 0]\n')
+said(3, "this is damping", "modes", "m.toml", model=ONE + "gyroscopic = [[0.1, 1], [-1, 0.1]]\n")
+said(3, "circulatory", "modes", "m.toml", model=ONE.replace("[[4, 0], [0, 9]]", "[[4, 1], [-1, 9]]"))
+said(3, "K must satisfy", "modes", "m.toml", "--strict", model=ONE.replace("[[4, 0], [0, 9]]", "[[4, 1], [1.0000000000000002, 9]]"))
+# Formulas
+said(2, "'nu' is no parameter: there are mu", "modes", "m.toml", model=ONE.replace("4, 0", '"nu", 0') + "[parameters]\nmu = 1\n")
+said(2, "not finite", "modes", "m.toml", model=ONE.replace("4, 0", '"1/mu", 0') + "[parameters]\nmu = 0\n")
+said(0, "of the matrices as symmetrised", "modes", "m.toml", "--symmetrise", model=ONE.replace("[[4, 0], [0, 9]]", "[[4, 1], [1.001, 9]]"))
+
+for failure in failures:
+    print(failure)
+print(f"{len(failures)} failures of messages")
+sys.exit(bool(failures))
