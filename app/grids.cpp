@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gyromode::app {
@@ -15,12 +16,13 @@ namespace gyromode::app {
 Vector frequency_grid(const std::string& option, const std::string& text) {
   const std::size_t first = text.find(':'), second = first == std::string::npos ? first : text.find(':', first + 1);
   if (second == std::string::npos) throw UsageError(fmt::format("{} {}: A:B:N was expected, such as 1Hz:50Hz:200", option, text));
-  const double a = frequency_option(option, text.substr(0, first)),
-               b = frequency_option(option, text.substr(first + 1, second - first - 1));
+  const double from = frequency_option(option, text.substr(0, first)),
+               to = frequency_option(option, text.substr(first + 1, second - first - 1));
+  const double a = std::min(from, to), b = std::max(from, to);
   const auto n = whole_number(text.substr(second + 1));
   if (!n || *n < 2 || *n > 1000000)
     throw UsageError(fmt::format("{} {}: a number of points from 2 to 1000000 was expected at the end", option, text));
-  if (!(a >= 0) || !(b > a)) throw UsageError(fmt::format("{} {}: 0 ≤ A < B was expected", option, text));
+  if (!(a >= 0) || !(b > a)) throw UsageError(fmt::format("{} {}: two different frequencies ≥ 0 were expected", option, text));
   return Vector::LinSpaced(static_cast<Index>(*n), a, b);
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -66,8 +67,9 @@ ParameterAxis axis_of(const Model& model, const AxisText& text) {
       throw UsageError(fmt::format("--vary {}: '{}' is no number in SI or with a unit that fits '{}'", text.whole, end, text.keys));
     return *value;
   };
-  const double a = bound(text.from), b = bound(text.to);
-  if (!(b > a) || !std::isfinite(b - a)) throw UsageError(fmt::format("--vary {}: finite A < B was expected", text.whole));
+  const double from = bound(text.from), to = bound(text.to);
+  if (from == to || !std::isfinite(to - from)) throw UsageError(fmt::format("--vary {}: two different finite bounds were expected", text.whole));
+  const double a = std::min(from, to), b = std::max(from, to);  // 30:10:5 is 10:30:5
   ParameterAxis axis{text.keys, {}};
   for (std::int64_t k = 0; k < text.values; ++k)
     axis.values.push_back(k + 1 == text.values ? b : a + (b - a) * static_cast<double>(k) / static_cast<double>(text.values - 1));

@@ -51,6 +51,7 @@ said(1, "is no finite number, alone or with N", "response", "m.toml", "--force",
 said(1, "'q9' is no coordinate of the model: did you mean 'q1'?", "response", "m.toml", "--force", "step:q9=1", "--until", "1", "--step", "1")
 said(1, "a fraction of the largest entry, from 0 to 2", "modes", "m.toml", "--symmetrise=3")
 said(1, "'bogus' is no parameter of the model: one of", "stability", "m.toml", "--vary", "bogus=1:2:3")
+said(0, "1.04719755", "stability", models / "rigid_body.toml", "--vary", "spin=30rpm:10rpm:3")
 # Files
 said(2, "is a matrix file (Matrix Market), no model: --mass", "modes", models / "wiresaw" / "M.mtx")
 said(2, "is a matrix file (NumPy), no model", "modes", files / "M.npy")

@@ -230,7 +230,7 @@ class Vary(WithFolder):
         self.refused(1, ["'spn'", "did you mean 'spin'"], "stability", SPRINGS, "--vary", "spn=0:1:3")
         self.refused(1, ["'cable[*].lenght'", "cable[*].length"], "stability", GEOS, "--vary", "cable[*].lenght=1:2:3")
         self.refused(1, ["KEY=A:B:N"], "stability", SPRINGS, "--vary", "spin")
-        self.refused(1, ["A < B"], "stability", SPRINGS, "--vary", "spin=2:1:3")
+        self.refused(1, ["two different finite bounds"], "stability", SPRINGS, "--vary", "spin=2:2:3")
         self.refused(1, ["5xyz"], "stability", SPRINGS, "--vary", "spin=5xyz:9:3")
         self.refused(1, ["5m", "unit that fits 'spin'"], "stability", SPRINGS, "--vary", "spin=5m:20m:3")
         self.refused(1, ["'known.frequencies[0]'"], "stability", SPRINGS, "--vary", "known.frequencies[0]=1:2:3")
