@@ -68,7 +68,8 @@ ParameterAxis axis_of(const Model& model, const AxisText& text) {
     return *value;
   };
   const double from = bound(text.from), to = bound(text.to);
-  if (from == to || !std::isfinite(to - from)) throw UsageError(fmt::format("--vary {}: two different finite bounds were expected", text.whole));
+  if (from == to || !std::isfinite(to - from))
+    throw UsageError(fmt::format("--vary {}: two different finite bounds were expected", text.whole));
   const double a = std::min(from, to), b = std::max(from, to);  // 30:10:5 is 10:30:5
   ParameterAxis axis{text.keys, {}};
   for (std::int64_t k = 0; k < text.values; ++k)
