@@ -104,6 +104,16 @@ TEST(Condensed, GyroscopicCouplingAddsMass) {
   EXPECT_NEAR(model_of(w).modes().frequencies().at(0), 3 / std::sqrt(2.0), 1e-15);
 }
 
+// What was not symmetric is told, whether or not coordinates are condensed.
+TEST(Condensed, RepairsAreTold) {
+  Whole w{Matrix{{10, 0}, {0, 0}}, Matrix::Zero(2, 2), Matrix{{1000, -1000 * (1 + 1e-10)}, {-1000, 3000}}, {1}};
+  const ModesResult r = model_of(w).modes();
+  ASSERT_EQ(r.repairs.size(), 1U);
+  EXPECT_TRUE(r.repairs.front().matrix == "K" && r.repairs.front().row == 1 && r.repairs.front().column == 0);
+  EXPECT_EQ(r.remarks().size(), 1U);
+  EXPECT_EQ(model_of(w).structure().repairs.size(), 1U);
+}
+
 std::string said_of(const Whole& w) {
   try {
     model_of(w);

@@ -78,6 +78,8 @@ ModesResult CondensedModel::expanded(ModesResult r, bool with_shapes) const {
     for (UnstableMode& u : r.unstable) u.shape.resize(0);
   }
   to_all(r.structure);
+  r.repairs = c_.repairs;
+  r.withhold_doubtful_verdict();
   r.solver += fmt::format("; {} of {} coordinates have no mass and follow the others", c_.massless.size(), c_.labels.size());
   return r;
 }
@@ -109,6 +111,7 @@ StructureReport CondensedModel::structure(std::optional<double> at) const {
   r.structure = analyse(c_.reduced, HiddenSearch::always);
   r.stiffness = inertia_of_k(c_.reduced.stiffness());
   to_all(r.structure);
+  r.repairs = c_.repairs;
   return r;
 }
 

@@ -38,8 +38,7 @@ ModesResult answered(const AnySystem& system, const ModesOptions& options) {
   ModesResult r = modes_of(spectrum, options);
   r.repairs = system.repairs();
   if (!r.repairs.empty() && !r.coverage.interrupted) state_effects(system, spectrum, r);
-  const bool doubtful = std::any_of(r.repairs.begin(), r.repairs.end(), [](const Repair& repair) { return repair.doubtful(); });
-  if (doubtful && r.stability < Stability::unknown) r.stability = Stability::unknown;
+  r.withhold_doubtful_verdict();
   return r;
 }
 

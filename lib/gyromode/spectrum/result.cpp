@@ -51,6 +51,11 @@ ComplexMatrix ModesResult::shapes() const {
   return all;
 }
 
+void ModesResult::withhold_doubtful_verdict() {
+  const bool doubtful = std::any_of(repairs.begin(), repairs.end(), [](const Repair& r) { return r.doubtful(); });
+  if (doubtful && stability < Stability::unknown) stability = Stability::unknown;
+}
+
 std::vector<std::string> ModesResult::remarks(std::optional<Index> lowest) const {
   std::vector<std::string> all;
   const Window &used = coverage.window, &asked = coverage.requested;

@@ -110,8 +110,9 @@ std::optional<Condensation> condensation(const Matrix& mass, const Matrix& gyros
   Labels kept;
   for (const Index i : m) kept.push_back(a.labels[static_cast<std::size_t>(i)]);
   System reduced(AdmittedMatrices{std::move(reduced_mass), std::move(reduced_g), std::move(reduced_k), std::move(kept), {}});
-  return Condensation{std::move(a.labels),     std::move(m),         std::move(s),        std::move(reduced), follow, rate,
-                      std::move(rounded_mass), std::move(rounded_g), std::move(rounded_k)};
+  return Condensation{
+      std::move(a.labels),     std::move(m),         std::move(s),        std::move(reduced), std::move(a.repairs), follow, rate,
+      std::move(rounded_mass), std::move(rounded_g), std::move(rounded_k)};
 }
 
 }  // namespace gyromode

@@ -15,6 +15,7 @@ struct Condensation {
   Labels labels;                         ///< of all coordinates, n
   std::vector<Index> massive, massless;  ///< positions among them, ascending
   System reduced;                        ///< M', G', K', with the labels of the massive ones
+  std::vector<Repair> repairs;           ///< of the whole matrices, as given
   Matrix follow, follow_rate;            ///< F and R, massless × massive
   /// What forming M', G', K' may have rounded, entry by entry: what rounding of K_ss⁻¹ and of the sums leaves.
   Matrix rounded_mass, rounded_gyroscopic, rounded_stiffness;

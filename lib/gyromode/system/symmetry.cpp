@@ -65,7 +65,7 @@ std::string broken(std::string_view name, const Matrix& a, int sign, const Depar
 
 bool is_rounding(double departure, double largest, double row_i, double row_j) { return departure <= allowance(largest, row_i, row_j); }
 
-bool Repair::doubtful() const { return !asked && own_scale > own_rounding && largest_effect.value_or(0) > error_bound; }
+bool Repair::doubtful() const { return !asked && own_scale > own_rounding && (!largest_effect || *largest_effect > error_bound); }
 
 std::string Repair::in_words() const {
   const bool skew = matrix == "G";

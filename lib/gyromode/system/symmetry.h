@@ -47,7 +47,8 @@ struct Repair {
   /// is known.
   std::string in_words() const;
   /// Whether what was dropped may be no rounding at all: small beside the largest entry alone, as the coupling of soft
-  /// coordinates is beside a stiff one, and more to a root than its error bound. No verdict can stand on that.
+  /// coordinates is beside a stiff one, and more to a root than its error bound, or nobody knows what. No verdict can
+  /// stand on that.
   bool doubtful() const;
 };
 
