@@ -93,6 +93,24 @@ TEST(Repairs, ZeroModesMoveByTheRoot) {
   }
 }
 
+// A mode that the dropped part couples to a free coordinate below and to a mode above it: both shift it in second
+// order, against one another.
+TEST(Repairs, ZeroModesShiftTheOthers) {
+  for (const double spin : {0.0, 0.5}) {
+    Matrix k = Matrix{{0, 0, 0}, {0, 4, 0}, {0, 0, 5}}, g = Matrix::Zero(3, 3);
+    const double n = 1e-5;
+    k(0, 1) = n, k(1, 0) = -n;
+    k(1, 2) = 2 * n, k(2, 1) = -2 * n;
+    g(0, 2) = spin, g(2, 0) = -spin;
+    ModesOptions options;
+    options.window = {1.8, 2.1};
+    const ModesResult r = find_modes(System(Matrix::Identity(3, 3), g, k, {}, {.symmetrise = 1e-3}), options);
+    ASSERT_EQ(r.modes.size(), 1U);
+    const double truth = reference::moved_by_asymmetry(Matrix::Identity(3, 3), g, k, Complex(0, r.modes.front().omega));
+    EXPECT_NEAR(r.repairs.front().largest_effect.value_or(0), truth, 2e-3 * truth) << spin;
+  }
+}
+
 // G of damping, C = c: λ = −c/2 ± jω.
 TEST(Repairs, DampingLetsDecay) {
   const double c = 1e-9;

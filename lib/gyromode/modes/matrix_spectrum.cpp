@@ -98,11 +98,13 @@ bool MatrixSpectrum::isolated() const {
                                                            [](const SolvedComponent& c) { return c.assessment.no_root_twice; });
 }
 
-ComplexVector MatrixSpectrum::shape_of(const SolvedComponent& c, const ComplexVector& part) const {
+ComplexVector MatrixSpectrum::in_system(const SolvedComponent& c, const ComplexVector& part) const {
   ComplexVector x = ComplexVector::Zero(solved_.size);
   x(c.spectrum.order) = part;
-  return normalised(std::move(x));
+  return x;
 }
+
+ComplexVector MatrixSpectrum::shape_of(const SolvedComponent& c, const ComplexVector& part) const { return normalised(in_system(c, part)); }
 
 Mode MatrixSpectrum::mode(std::size_t root, bool with_shape) const {
   const auto& [c, position] = places_[root];
@@ -147,12 +149,8 @@ UnstableRoots MatrixSpectrum::unstable() const {
   UnstableRoots all;
   for (const SolvedComponent& c : solved_.components) {
     const UnstableRoots& u = c.spectrum.unstable;
-    for (Index k = 0; k < u.count(); ++k) {
-      ComplexVector x = ComplexVector::Zero(solved_.size), y = x;
-      x(c.spectrum.order) = u.right.col(k);
-      y(c.spectrum.order) = u.left.col(k);
-      all.add(u.lambda[static_cast<std::size_t>(k)], x, y);
-    }
+    for (Index k = 0; k < u.count(); ++k)
+      all.add(u.lambda[static_cast<std::size_t>(k)], in_system(c, u.right.col(k)), in_system(c, u.left.col(k)));
   }
   return all;
 }

@@ -41,6 +41,7 @@ class MatrixSpectrum : public CountedSpectrum {
   void sort();
   Mode mode(std::size_t root, bool with_shape) const;
   UnstableMode growing(const SolvedComponent& c, Index k, bool with_shape) const;
+  ComplexVector in_system(const SolvedComponent& c, const ComplexVector& part) const;
   ComplexVector shape_of(const SolvedComponent& c, const ComplexVector& part) const;
 
   SolvedSystem solved_;
