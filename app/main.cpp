@@ -1,3 +1,4 @@
+#include "help.h"
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -62,6 +64,7 @@ int main(int argc, char** argv) {
       "  gyromode structure models/wiresaw.toml\n"
       "Exit codes: 0 done and certified, 1 usage, 2 unreadable input, 3 input against a law, 4 not certified complete, 70 internal error, "
       "130 interrupted (what is known by then is written, and marked).");
+  program.formatter(std::make_shared<HelpText>());
   int code = 0;
   add_modes(program, code);
   add_structure(program, code);

@@ -52,6 +52,18 @@ said(1, "'q9' is no coordinate of the model: did you mean 'q1'?", "response", "m
 said(1, "a fraction of the largest entry, from 0 to 2", "modes", "m.toml", "--symmetrise=3")
 said(1, "'bogus' is no parameter of the model: one of", "stability", "m.toml", "--vary", "bogus=1:2:3")
 said(0, "1.04719755", "stability", models / "rigid_body.toml", "--vary", "spin=30rpm:10rpm:3")
+# Tables: digits that are determined, like lines as one, lines of a terminal's width; Markdown that shows labels as they are
+TWINS = 'kind = "matrices"\nlabels = ["a_*", "b|c", "<d>"]\nmass = [1, 1, 1]\nstiffness = [4, 4, 0]\n'
+said(0, "    1  0                 0                  0   0.0e+00  rigid body\n  2–3  2.0000", "modes", "m.toml", model=TWINS)
+said(0, "vibration ×2", "modes", "m.toml", model=TWINS)
+said(0, "| # | a\\_\\* | b\\|c | \\<d\\> |", "modes", "m.toml", "--shapes", "--format", "markdown", model=TWINS)
+for model in sorted(models.glob("*.toml")):
+    for verb in (["modes", model, "--lowest", "3", "--shapes"], ["stability", model], ["structure", model], ["help", "response"]):
+        text = subprocess.run([program, *map(str, verb)], capture_output=True, text=True, timeout=120).stdout
+        for line in text.splitlines():
+            if len(line) > 82 and not line.startswith(("  gyromode ", "  --method")):
+                failures.append(f"{verb}: a line of {len(line)} columns: {line}")
+
 # Files
 said(2, "is a matrix file (Matrix Market), no model: --mass", "modes", models / "wiresaw" / "M.mtx")
 said(2, "is a matrix file (NumPy), no model", "modes", files / "M.npy")

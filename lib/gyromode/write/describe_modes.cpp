@@ -36,7 +36,7 @@ void describe_shapes(const Model& model, const std::vector<Mode>& modes, Writer&
   };
   w.table(t);
   if (shown < model.size())
-    w.paragraph(fmt::format("(the first {} of {} coordinates; all of them with --format json or csv)\n", shown, model.size()));
+    w.paragraph(fmt::format("(the first {} of {} coordinates; all of them with --format json or csv)", shown, model.size()));
 }
 
 // Shapes of all modes, then of all growing motions, as one block: a row each.
@@ -84,6 +84,7 @@ void describe(const Model& model, const ModesResult& r, Writer& w) {
   Table modes = modes_table(model, "modes", r.modes, w, in_csv), unstable = unstable_table(model, r.unstable, w, in_csv);
   modes.csv = unstable.csv = true;
   w.table(modes);
+  w.table(modes_lines(r.modes));
   if (shapes) describe_shapes(model, r.modes, w);
   w.table(unstable);
   w.fact("geometry", geometry(r));

@@ -1,3 +1,4 @@
+#include "gyromode/write/digits.h"
 #include "gyromode/write/words.h"
 
 #include <fmt/format.h>
@@ -43,16 +44,14 @@ void describe_margin(const StabilityReport& report, Writer& w) {
 }
 
 void describe_negative_modes(const Model& model, const std::vector<Mode>& modes, Writer& w) {
-  Table programs = modes_table(model, "negative_modes", modes, w);
-  for (Column& c : programs.columns) c.heading.clear();
-  w.table(programs);
+  w.table(modes_table(model, "negative_modes", modes, w));
   w.table({"",
            "modes of negative energy",
-           {{"", "ω [rad/s]", "{:.15g}"}, {"", "energy"}, {"", "error bound", "{:.1e}"}, {"", "largest in"}},
+           {{"", "ω [rad/s]"}, {"", "energy"}, {"", "error bound", "{:.1e}"}, {"", "largest in"}},
            static_cast<Index>(modes.size()),
            [&](Index k) {
              const Mode& m = modes[static_cast<std::size_t>(k)];
-             return std::vector<Cell>{{m.omega},
+             return std::vector<Cell>{{nullptr, determined(m.omega, m.error_bound)},
                                       {m.energy_sign < 0 ? "−" : "0: a pair of both signs"},
                                       {m.error_bound},
                                       {nullptr, largest_in(model.labels(), m.shape)}};
@@ -128,7 +127,7 @@ void describe_cells(const StabilityReport& r, Writer& w) {
     return row;
   };
   w.table(t);
-  if (!line) w.paragraph(chart(r));
+  if (!line) w.drawing(chart(r));
 }
 
 void describe_critical(const StabilityReport& r, Writer& w) {
@@ -158,7 +157,7 @@ void describe_critical(const StabilityReport& r, Writer& w) {
                              {at}};
   };
   w.table(t);
-  if (r.map->critical.empty() && !r.map->interrupted) w.paragraph("no critical value between the points of the grid\n");
+  if (r.map->critical.empty() && !r.map->interrupted) w.paragraph("no critical value between the points of the grid");
 }
 
 void describe_map(const StabilityReport& r, Writer& w) {

@@ -92,7 +92,7 @@ void describe_booms(const StructureReport& r, Writer& w) {
   }
   if (r.effective_axes.empty()) return;
   w.table({"effective_axes",
-           "ψ: from axis 1 to the principal axis of the effective inertia of hub and booms at the frequency of each mode;\n   about it "
+           "ψ: from axis 1 to the principal axis of the effective inertia of hub and booms at the frequency of each mode; about it "
            "rotations are in phase, across it in quadrature",
            {{"omega", "ω [rad/s]", "{:.10g}"}, {"psi", "ψ [°]"}},
            static_cast<Index>(r.effective_axes.size()),

@@ -1,4 +1,5 @@
 // What several documents have in common.
+#include "gyromode/write/digits.h"
 #include "gyromode/write/words.h"
 
 #include <fmt/format.h>
@@ -114,19 +115,69 @@ void describe_balance(const IndexBalance& b, Writer& w) {
                            {"closed", b.closed}});
 }
 
+namespace {
+
+// As a person reads a mode: with the digits that are determined; modes that read alike are one line.
+struct ModeLine {
+  std::string omega, hertz, kind;
+  int sign;
+  Index first, last;
+  double residual;
+
+  ModeLine(const Mode& m, Index at)
+      : omega(determined(m.omega, m.error_bound)),
+        hertz(determined(io::hertz(m.omega), io::hertz(m.error_bound), 10)),
+        kind(m.kind == ModeKind::rigid_body ? "rigid body" : to_string(m.kind)),
+        sign(m.energy_sign),
+        first(at),
+        last(at),
+        residual(m.residual) {}
+  bool reads_like(const ModeLine& other) const { return omega == other.omega && kind == other.kind && sign == other.sign; }
+  Index count() const { return last - first + 1; }
+  std::string number() const { return count() == 1 ? fmt::format("{}", first + 1) : fmt::format("{}–{}", first + 1, last + 1); }
+  std::string kind_and_count() const { return count() == 1 ? kind : fmt::format("{} ×{}", kind, count()); }
+};
+
+std::vector<ModeLine> lines_of(const std::vector<Mode>& modes) {
+  std::vector<ModeLine> lines;
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    const ModeLine line(modes[k], static_cast<Index>(k));
+    if (lines.empty() || !lines.back().reads_like(line)) {
+      lines.push_back(line);
+      continue;
+    }
+    lines.back().last = line.last;
+    lines.back().residual = std::max(lines.back().residual, line.residual);
+  }
+  return lines;
+}
+
+}  // namespace
+
+Table modes_lines(const std::vector<Mode>& modes) {
+  const std::vector<ModeLine> lines = lines_of(modes);
+  return {"",
+          "",
+          {{"", "#"}, {"", "ω [rad/s]"}, {"", "f [Hz]"}, {"", "energy"}, {"", "residual", "{:.1e}"}, {"", "kind"}},
+          static_cast<Index>(lines.size()),
+          [lines](Index k) {
+            const ModeLine& m = lines[static_cast<std::size_t>(k)];
+            return std::vector<Cell>{{nullptr, m.number()},         {nullptr, m.omega}, {nullptr, m.hertz},
+                                     {nullptr, sign_words(m.sign)}, {m.residual},       {nullptr, m.kind_and_count()}};
+          }};
+}
+
 Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w, bool shapes_in_csv) {
   Table t{std::move(key),
           "",
-          {{"", "#"},
-           {"omega", "ω [rad/s]", "{:.15g}"},
-           {"frequency_hz", "f [Hz]", "{:.10g}"},
+          {{"omega"},
+           {"frequency_hz"},
            {"growth_rate", "", "", Column::In::csv},
-           {"kind", ""},
-           {"energy_sign", "energy"},
-           {"multiplicity", ""},
-           {"residual", "residual", "{:.1e}"},
-           {"error_bound", ""},
-           {"", "kind"},
+           {"kind"},
+           {"energy_sign"},
+           {"multiplicity"},
+           {"residual"},
+           {"error_bound"},
            {"cluster", "", "", Column::In::json},
            {"bracket", "", "", Column::In::json},
            {"shape", "", "", Column::In::json},
@@ -137,20 +188,18 @@ Table modes_table(const Model& model, std::string key, const std::vector<Mode>& 
   if (flat) add_shape_columns(model.labels(), t);
   t.row = [&model, &modes, flat, nested](Index k) {
     const Mode& m = modes[static_cast<std::size_t>(k)];
-    std::vector<Cell> row{{k + 1, ""},
-                          {m.omega, ""},
-                          {hertz(m.omega), ""},
-                          {0, ""},
-                          {to_string(m.kind), ""},
-                          {m.energy_sign, sign_words(m.energy_sign)},
-                          {m.multiplicity, ""},
-                          {m.residual, ""},
-                          {m.error_bound, ""},
-                          {to_string(m.kind), ""},
-                          {m.cluster > 1 ? Json(m.cluster) : no_value, ""},
-                          {m.bracket ? Json(*m.bracket) : no_value, ""},
-                          {nested ? shape_json(model.labels(), m.shape) : no_value, ""},
-                          {nested ? displacements(m.field) : no_value, ""}};
+    std::vector<Cell> row{{m.omega},
+                          {hertz(m.omega)},
+                          {0},
+                          {to_string(m.kind)},
+                          {m.energy_sign},
+                          {m.multiplicity},
+                          {m.residual},
+                          {m.error_bound},
+                          {m.cluster > 1 ? Json(m.cluster) : no_value},
+                          {m.bracket ? Json(*m.bracket) : no_value},
+                          {nested ? shape_json(model.labels(), m.shape) : no_value},
+                          {nested ? displacements(m.field) : no_value}};
     if (flat) add_shape(model.labels(), m.shape, row);
     return row;
   };
@@ -168,7 +217,7 @@ Table unstable_table(const Model& model, const std::vector<UnstableMode>& modes,
            {"energy_sign", "", "", Column::In::csv},
            {"multiplicity", "", "", Column::In::csv},
            {"residual", "residual"},
-           {"error_bound", "error bound"},
+           {"error_bound", "error bound", "{:.1e}"},
            {"", "kind"},
            {"", !modes.empty() && modes.front().shape.size() > 0 ? "largest in" : ""},
            {"shape", "", "", Column::In::json}},
@@ -179,8 +228,8 @@ Table unstable_table(const Model& model, const std::vector<UnstableMode>& modes,
   t.row = [&model, &modes, shapes_in_csv, nested](Index k) {
     const UnstableMode& u = modes[static_cast<std::size_t>(k)];
     const char* kind = u.flutter() ? "flutter" : "divergence";
-    std::vector<Cell> row{{u.growth_rate, ""},
-                          {u.omega, ""},
+    std::vector<Cell> row{{u.growth_rate, determined(u.growth_rate, u.error_bound)},
+                          {u.omega, determined(u.omega, u.error_bound)},
                           {hertz(u.omega), ""},
                           {u.growth_rate, ""},
                           {kind, ""},

@@ -40,7 +40,9 @@ std::string repaired_words(const std::vector<Repair>& repairs);
 void describe_repairs(const std::vector<Repair>& repairs, Writer& w);
 void describe_class(const Model& model, const Structure& s, const InertiaOfK& k, bool has_stiffness, Writer& w);
 void describe_balance(const IndexBalance& b, Writer& w);
-/// Modes under `key` in JSON; with their shapes where they have some.
+/// Modes as people read them.
+Table modes_lines(const std::vector<Mode>& modes);
+/// Modes for programs, under `key` in JSON; with their shapes where they have some.
 Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w, bool shapes_in_csv = false);
 Table unstable_table(const Model& model, const std::vector<UnstableMode>& modes, const Writer& w, bool shapes_in_csv);
 

@@ -1,5 +1,6 @@
 #include "gyromode/write/writer.h"
 
+#include "gyromode/base/lines.h"
 #include "gyromode/formats/csv.h"
 #include "gyromode/lapack/library.h"
 #include "gyromode/version.h"
@@ -47,6 +48,7 @@ class JsonWriter : public Writer {
     }
   }
   void paragraph(const std::string&) override {}
+  void drawing(const std::string&) override {}
   std::string text() override { return root_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
  private:
@@ -86,6 +88,7 @@ class CsvWriter : public Writer {
     }
   }
   void paragraph(const std::string&) override {}
+  void drawing(const std::string&) override {}
   std::string text() override { return std::move(text_); }
 
  private:
@@ -106,16 +109,20 @@ class CsvWriter : public Writer {
 class TextWriter : public Writer {
  public:
   TextWriter(const Model& model, Format format) : Writer(format), markdown_(format == Format::markdown) {
-    text_ = (markdown_ ? "## " : "") + model_words(model) + "\n";
+    text_ = markdown_ ? "## " + markdown_escaped(model_words(model)) + "\n"
+                      : wrapped_with_indent(model_words(model), line_columns - 2, 2) + "\n";
   }
 
   void fact(std::string_view, Json, std::string_view heading, const std::string& words) override {
     if (words.empty()) return;
     part(!in_facts_);
-    if (markdown_)
-      text_ += heading.empty() ? fmt::format("  {}\n", words) : fmt::format("- **{}**: {}\n", heading, words);
-    else
-      text_ += fmt::format("{:<11} {}\n", heading, words);
+    if (markdown_) {
+      const std::string shown = markdown_escaped(words);
+      text_ +=
+          heading.empty() ? fmt::format("  {}\n", shown) : fmt::format("- **{}**: {}\n", markdown_escaped(std::string(heading)), shown);
+    } else {
+      text_ += fmt::format("{:<11} {}\n", heading, wrapped_with_indent(words, line_columns - heading_columns, heading_columns));
+    }
     in_facts_ = true;
   }
   void table(const Table& t) override {
@@ -134,14 +141,18 @@ class TextWriter : public Writer {
       grid.add(std::move(row));
     }
     part(true);
-    if (!t.title.empty()) text_ += t.title + "\n" + (markdown_ ? "\n" : "");
+    if (!t.title.empty()) text_ += markdown_ ? markdown_escaped(t.title) + "\n\n" : wrapped_with_indent(t.title, line_columns, 0) + "\n";
     text_ += markdown_ ? grid.markdown() : grid.aligned();
     in_facts_ = false;
   }
-  void paragraph(const std::string& lines) override {
+  void paragraph(const std::string& sentence) override {
     part(true);
-    const bool drawn = std::count(lines.begin(), lines.end(), '\n') > 1;
-    text_ += markdown_ && drawn ? "```text\n" + lines + "```\n" : lines;
+    text_ += (markdown_ ? markdown_escaped(sentence) : wrapped_with_indent(sentence, line_columns, 0)) + "\n";
+    in_facts_ = false;
+  }
+  void drawing(const std::string& lines) override {
+    part(true);
+    text_ += markdown_ ? "```text\n" + lines + "```\n" : lines;
     in_facts_ = false;
   }
   std::string text() override { return std::move(text_); }
@@ -156,6 +167,7 @@ class TextWriter : public Writer {
     return c.value.is_number_float() ? fmt::format(fmt::runtime(digits), c.value.get<double>()) : c.value.dump();
   }
 
+  static constexpr std::size_t heading_columns = 12;  // of facts, and what their further lines are indented by
   bool markdown_, in_facts_ = false;
   std::string text_;
 };

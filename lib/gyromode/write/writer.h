@@ -52,8 +52,9 @@ class Writer {
   /// A line for people alone.
   void say(std::string_view heading, const std::string& words) { fact({}, {}, heading, words); }
   virtual void table(const Table& table) = 0;
-  /// Lines for people alone.
-  virtual void paragraph(const std::string& lines) = 0;
+  /// A sentence, and lines that are drawn, for people alone.
+  virtual void paragraph(const std::string& sentence) = 0;
+  virtual void drawing(const std::string& lines) = 0;
   virtual std::string text() = 0;
 
   /// Version of the schema asked for.
