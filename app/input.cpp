@@ -51,14 +51,14 @@ void ModelSource::add_to(CLI::App& verb) {
   verb.add_flag("--strict", strict, "Refuse matrices that are not (skew-)symmetric to the last bit")->excludes(take);
 }
 
-// A broken law is known by its matrix; which files the matrices came from is known here.
-template <class Reader>
-Model located(const std::string& files, Reader&& reader) {
+// A broken law is known by its matrix; which file that came from is known here.
+template <class FileOf, class Reader>
+Model located(FileOf&& file_of, Reader&& reader) {
   try {
     return reader();
   } catch (const LawBroken& e) {
     if (e.located()) throw;
-    throw LawBroken(fmt::format("{}: {}", files, e.what()));
+    throw LawBroken(file_of(e.matrix()), 0, 0, e.what());
   }
 }
 
@@ -98,13 +98,15 @@ Model ModelSource::read() const {
                                  "--matrices model.mat");
   }
   if (!names.empty() && container.empty()) throw UsageError("--names goes with --matrices");
-  if (!model.empty()) return located(model, [&] { return admitted(read_model(model, admission())); });
+  if (!model.empty()) return located([&](const auto&) { return model; }, [&] { return admitted(read_model(model, admission())); });
   MatrixFiles files{mass, gyroscopic, stiffness, container, {}, {}, {}};
   name_matrices(files);
-  if (!container.empty()) return located(container, [&] { return admitted(read_matrices(files, admission())); });
+  if (!container.empty())
+    return located([&](const auto&) { return container; }, [&] { return admitted(read_matrices(files, admission())); });
   if (mass.empty() || stiffness.empty())
     throw UsageError(fmt::format("{} is missing: M and K are both needed (G may be left out)", mass.empty() ? "--mass" : "--stiffness"));
-  return located(mass, [&] { return admitted(read_matrices(files, admission())); });
+  const auto file_of = [&](const std::string& matrix) { return matrix == "K" ? stiffness : matrix == "G" ? gyroscopic : mass; };
+  return located(file_of, [&] { return admitted(read_matrices(files, admission())); });
 }
 
 void WindowOption::add_to(CLI::App& verb) {

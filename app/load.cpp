@@ -1,16 +1,15 @@
 #include "load.h"
 
+#include "coordinates.h"
 #include "errors.h"
 #include "input.h"
 
-#include "gyromode/base/nearest.h"
 #include "gyromode/base/number.h"
 #include "gyromode/base/quantity.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace gyromode::app {
 
@@ -24,17 +23,11 @@ double number(const std::string& text, const std::string& whole, const std::stri
 }
 
 void add_amplitudes(const std::string& list, const std::string& whole, const Labels& labels, Vector& to) {
-  const std::vector<std::string_view> known(labels.begin(), labels.end());
   if (list.empty()) throw UsageError(fmt::format("--force {}: LABEL=VALUE is missing", whole));
-  std::istringstream pieces(list);
-  for (std::string piece; std::getline(pieces, piece, ',');) {
-    const std::size_t equals = piece.rfind('=');
-    if (equals == std::string::npos) throw UsageError(fmt::format("--force {}: '{}' where LABEL=VALUE was expected", whole, piece));
-    const std::string label = piece.substr(0, equals);
-    const auto at = std::find(labels.begin(), labels.end(), label);
-    if (at == labels.end())
-      throw UsageError(fmt::format("--force {}: '{}' is no coordinate of the model{}", whole, label, suggestion(label, known)));
-    to(at - labels.begin()) += number(piece.substr(equals + 1), whole, "--force");
+  for (const std::string& piece : parted(list)) {
+    const LabelAndValue one = label_and_value(piece);
+    if (!one.equals) throw UsageError(fmt::format("--force {}: '{}' where LABEL=VALUE was expected", whole, piece));
+    to(coordinate_named(one.label, labels, "--force " + whole)) += number(one.value, whole, "--force");
   }
 }
 
@@ -95,11 +88,8 @@ std::vector<BoomPoint> points_of(const std::vector<std::string>& texts) {
 
 Labels labels_of(const std::string& list, const Labels& labels) {
   Labels chosen;
-  const std::vector<std::string_view> known(labels.begin(), labels.end());
-  std::istringstream words(list);
-  for (std::string label; std::getline(words, label, ',');) {
-    if (std::find(labels.begin(), labels.end(), label) == labels.end())
-      throw UsageError(fmt::format("--keep: '{}' is no coordinate of the model{}", label, suggestion(label, known)));
+  for (const std::string& word : parted(list)) {
+    const std::string& label = labels[static_cast<std::size_t>(coordinate_named(word, labels, "--keep"))];
     if (std::find(chosen.begin(), chosen.end(), label) != chosen.end()) throw UsageError(fmt::format("--keep: '{}' is given twice", label));
     chosen.push_back(label);
   }

@@ -99,7 +99,8 @@ void add_modes(CLI::App& program, int& code) {
       ->type_name("N")
       ->check(CLI::Range(1, 2000));
   verb->add_option("--keep", o->keep,
-                   "Matrices: see the modes from these coordinates alone, LABEL,LABEL,…; modes in which they take no part are local")
+                   "Matrices: see the modes from these coordinates alone, LABEL,LABEL,… (a label with a comma in double quotes, or #N for "
+                   "its position); modes in which they take no part are local")
       ->type_name("LABELS");
   verb->add_flag("--shapes", o->shapes, "With the mode shapes: motion is Re(X e^{jωt}), largest entry 1");
   verb->add_option("--schema", o->schema, "Version of the JSON schema: 1, a shape with each mode (default); 2, all shapes as one block")

@@ -79,7 +79,9 @@ void add_response(CLI::App& program, int& code) {
   verb->add_option("--until", o->until, "Last time: s, or 20ms, 2min")->type_name("T");
   verb->add_option("--step", o->step, "Time between rows, likewise (output only: there is no time stepping)")->type_name("DT");
   verb->add_option("--times", o->times, "Times instead of --until and --step: one a line, increasing")->type_name("FILE");
-  verb->add_option("--force", o->forces, "impulse:LABEL=P,…  step:LABEL=F,…  harmonic:LABEL=F,…@W (F cos Wt); with --frequencies LABEL=F,…")
+  verb->add_option("--force", o->forces,
+                   "impulse:LABEL=P,…  step:LABEL=F,…  harmonic:LABEL=F,…@W (F cos Wt); with --frequencies LABEL=F,…; a label with , or = "
+                   "in double quotes, or #N for its position")
       ->type_name("FORCE")
       ->take_all();
   verb->add_option("--frequencies", o->frequencies,

@@ -86,12 +86,19 @@ StabilityReport asked(const Model& model, const std::vector<AxisText>& texts, co
   return report;
 }
 
+// A map of nothing is no answer.
+void require_models(const StabilityMap& map) {
+  if (std::any_of(map.cells.begin(), map.cells.end(), [](const StabilityMap::Cell& c) { return c.point.law_kept; })) return;
+  throw LawBroken(fmt::format("--vary: no point makes a model; at the first {}", map.cells.front().point.reason));
+}
+
 ExitCode run(const Options& o) {
   const std::vector<AxisText> axes = axes_of(o.vary);
   Job job(o.source, o.output);
   const StabilityReport report = job.answer([&](const Model& m) { return asked(m, axes, job); });
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
   if (report.map && report.map->interrupted) return job.interrupted();
+  if (report.map) require_models(*report.map);
   if (report.result.stability != Stability::unknown) return ExitCode::done;
   o.output.say(fmt::format("the verdict is unknown: {}", report.result.coverage.reason));
   return ExitCode::not_certified;

@@ -10,10 +10,12 @@ failures = []
 ONE = 'kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[4, 0], [0, 9]]\n'
 
 
-def said(code, words, *arguments, model=None):
+def said(code, words, *arguments, model=None, files={}):
     with tempfile.TemporaryDirectory() as folder:
         here = pathlib.Path(folder)
         (here / "m.toml").write_text(ONE if model is None else model)
+        for name, text in files.items():
+            (here / name).write_text(text)
         result = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=here, timeout=120)
         kept = (here / "m.toml").read_text() == (ONE if model is None else model)
     what = " ".join(map(str, arguments))
@@ -52,6 +54,31 @@ said(1, "'q9' is no coordinate of the model: did you mean 'q1'?", "response", "m
 said(1, "a fraction of the largest entry, from 0 to 2", "modes", "m.toml", "--symmetrise=3")
 said(1, "'bogus' is no parameter of the model: one of", "stability", "m.toml", "--vary", "bogus=1:2:3")
 said(0, "1.04719755", "stability", models / "rigid_body.toml", "--vary", "spin=30rpm:10rpm:3")
+# Labels that the grammar of lists would part, and positions
+ODD = 'kind = "matrices"\nlabels = ["a,b", "c=d", "say \\"x\\""]\nmass = [1, 1, 1]\nstiffness = [[4, 1, 0], [1, 9, 1], [0, 1, 16]]\n'
+steps = ["--until", "1", "--step", "1"]
+for named in ('"a,b"=1', "c=d=1", '"c=d"=1', "#2=1", '"say ""x"""=1', 'say "x"=1', '"a,b"=1,#2=2,#3=3'):
+    said(0, "t,", "response", "m.toml", "--force", "step:" + named, *steps, model=ODD)
+said(0, "t,", "response", "m.toml", "--force", 'harmonic:"a,b"=1@2Hz', *steps, model=ODD)
+said(1, "#4 is beyond the 3 coordinates of the model", "response", "m.toml", "--force", "step:#4=1", *steps, model=ODD)
+said(1, "'a' where LABEL=VALUE was expected", "response", "m.toml", "--force", "step:a,b=1", *steps, model=ODD)
+said(0, "complete: found 3", "modes", "m.toml", "--keep", '"a,b",#2', model=ODD)
+said(1, "--keep: 'a' is no coordinate of the model: one of a,b, c=d", "modes", "m.toml", "--keep", "a,b", model=ODD)
+# Initial states as spreadsheets write them; times before 0
+said(0, "t,q1,q2\n0,0.5,0", "response", "m.toml", "--initial", "start.csv", *steps, files={"start.csv": "\ufefflabel;q;qdot\r\nq1;0.5;0\r\nq2;0;1\r\n"})
+said(2, "'0,5' is no number: a finite number was expected, with a decimal point", "response", "m.toml", "--initial", "start.csv", *steps, files={"start.csv": "label;q;qdot\nq1;0,5;0\nq2;0;1\n"})
+said(2, "t ≥ 0 was expected", "response", "m.toml", "--force", "step:q1=1", "--times", "t.csv", files={"t.csv": "-1\n0\n"})
+# Maps: why there is no model, what changes, in which unit
+said(3, "--vary: no point makes a model; at the first M must be positive definite", "stability", "m.toml", "--vary", "mass[0][0]=-3:-1:3")
+said(0, "no model at 2 of 4 points: at mass[0][0] = -3 M must be positive definite", "stability", "m.toml", "--vary", "mass[0][0]=-3:3:4")
+said(0, "spin [rad/s]  what changes", "stability", models / "three_springs.toml", "--vary", "spin=0:12000rpm:25")
+said(0, "stable → 1 divergent", "stability", models / "three_springs.toml", "--vary", "spin=0:12000rpm:25")
+said(0, "1 divergent → gyroscopically stabilised", "stability", models / "three_springs.toml", "--vary", "spin=0:12000rpm:25")
+# The file at fault, of three
+WIRES = [str(models / "wiresaw" / f"{m}.mtx") for m in "MGK"]
+said(3, "M.mtx: G must satisfy G = −Gᵀ: the diagonal entry (1,1) = 0.5 must be 0, it is 1e+02 % of the largest entry; G is the same matrix as M: was", "modes", "--mass", WIRES[0], "--gyroscopic", WIRES[0], "--stiffness", WIRES[2])
+said(3, "(10,9) = 0.18947368421052632 differ by 0.379, 2e+02 % of the largest entry; K is the same matrix as G: was", "modes", "--mass", WIRES[0], "--gyroscopic", WIRES[1], "--stiffness", WIRES[1])
+
 # Tables: digits that are determined, like lines as one, lines of a terminal's width; Markdown that shows labels as they are
 TWINS = 'kind = "matrices"\nlabels = ["a_*", "b|c", "<d>"]\nmass = [1, 1, 1]\nstiffness = [4, 4, 0]\n'
 said(0, "    1  0                 0                  0   0.0e+00  rigid body\n  2–3  2.0000", "modes", "m.toml", model=TWINS)

@@ -21,6 +21,8 @@ TEST(Csv, RowsAndFields) {
             (Rows{{"a", "b"}, {"1", "2"}}));
   EXPECT_EQ(fields("\"a,b\",\"say \"\"x\"\"\",\" c \"\n"), (Rows{{"a,b", "say \"x\"", " c "}}));
   EXPECT_EQ(fields("a,\n,b\n,\n"), (Rows{{"a", ""}, {"", "b"}, {"", ""}}));
+  EXPECT_EQ(fields("a;b\n\"x;y\";2,5\n"), (Rows{{"a", "b"}, {"x;y", "2,5"}}));
+  EXPECT_EQ(fields("\"a;b\",c\n1;2,3\n"), (Rows{{"a;b", "c"}, {"1;2", "3"}}));
   EXPECT_TRUE(fields("").empty());
 }
 
@@ -45,7 +47,8 @@ TEST(Csv, Refusals) {
 }
 
 TEST(Csv, FieldsComeBack) {
-  for (const std::string field : {"", "x", "a,b", "\"", "say \"x\"", " x", "x ", "\tx", "#x", "x#", "\xEF\xBB\xBFx", "θ1", ",", "a\tb"}) {
+  for (const std::string field :
+       {"", "x", "a,b", "\"", "say \"x\"", " x", "x ", "\tx", "#x", "x#", "\xEF\xBB\xBFx", "θ1", ",", "a\tb", "a;b"}) {
     const auto rows = csv_rows(csv_field(field) + ",end", "f.csv");
     ASSERT_EQ(rows.size(), 1u) << field;
     EXPECT_EQ(rows[0].fields, (std::vector<std::string>{field, "end"})) << field;

@@ -111,6 +111,15 @@ TEST(Response, FreeBodyInTurningAxesIsExact) {
   }
 }
 
+TEST(Response, HasNoTimeBeforeItsStart) {
+  const Response r(System(Matrix{{1}}, Matrix{{0}}, Matrix{{4}}), {Vector::Ones(1), Vector::Zero(1)});
+  for (const double t : {-1.0, -1e-300, std::nan(""), infinity}) {
+    EXPECT_THROW(r.at(t), InvalidArgument) << t;
+    EXPECT_THROW(r.at(Vector::Constant(1, t)), InvalidArgument) << t;
+  }
+  EXPECT_EQ(r.at(0).q(0), 1);
+}
+
 // K = 0 in one direction: rest displaced, and drift linear in t for as long as one likes.
 TEST(Response, DriftIsLinear) {
   const Matrix k{{2, -2, 0}, {-2, 3, -1}, {0, -1, 1}};

@@ -28,4 +28,10 @@ Unreadable::Unreadable(const std::filesystem::path& file, std::size_t line, std:
 LawBroken::LawBroken(const std::filesystem::path& file, std::size_t line, std::size_t column, const std::string& message)
     : Error(ExitCode::broken_law, printable(place_and_message(file, line, column, message))), located_(true) {}
 
+LawBroken LawBroken::of(std::string_view matrix, const std::string& message) {
+  LawBroken e(message);
+  e.matrix_ = matrix;
+  return e;
+}
+
 }  // namespace gyromode

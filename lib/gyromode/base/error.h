@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace gyromode {
 
@@ -58,11 +59,17 @@ class LawBroken : public Error {
   /// The same with the place in a file where it was broken.
   LawBroken(const std::filesystem::path& file, std::size_t line, std::size_t column, const std::string& message);
 
+  /// A law that one matrix of the model breaks: "M", "G", "K", or "I" of first order.
+  static LawBroken of(std::string_view matrix, const std::string& message);
+
   /// Whether what() starts with a file.
   bool located() const noexcept { return located_; }
+  /// The matrix that breaks the law; empty where it is no single one.
+  const std::string& matrix() const noexcept { return matrix_; }
 
  private:
   bool located_ = false;
+  std::string matrix_;
 };
 
 /// A method or question that does not fit the model; why, and what to use instead.

@@ -84,6 +84,9 @@ std::size_t number_length(std::string_view s) {
 
 }  // namespace
 
+// The first with a name.
+std::string_view unit_of(Dimension dimension) { return units_of(dimension)[1].name; }
+
 std::optional<double> parse_quantity(std::string_view text, Dimension dimension) {
   const std::string_view s = trimmed(text);
   const std::size_t length = number_length(s);

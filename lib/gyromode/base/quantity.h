@@ -21,6 +21,8 @@ enum class Dimension { frequency, length, angle, mass, line_density, inertia, st
 /// "25 mm", "1.65 g/m", "90 deg": a number in SI, or with a unit of that dimension. Nothing where the text is none;
 /// finite always.
 std::optional<double> parse_quantity(std::string_view text, Dimension dimension);
+/// The SI unit: "rad/s", "kg m²".
+std::string_view unit_of(Dimension dimension);
 /// What it accepts, for messages.
 std::string_view form_of(Dimension dimension);
 

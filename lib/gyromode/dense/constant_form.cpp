@@ -58,10 +58,10 @@ Form by_groups(PhaseGroups g) {
   }
   if (g.d1.negative > 0) {
     throw NotApplicable(
-        "K is indefinite in both groups of the partition: the real n × n matrix of such a system, P of theory (T6), is not symmetric");
+        "K is indefinite in both groups of the partition: the real n × n matrix of such a system, P of docs/theory.md, is not symmetric");
   }
   Form form = from_groups(square_root(g.k1, g.d1.zero), g.b, g.k2, g.to_x, g.to_y);
-  form.solver = "W = [fᵀf fᵀb; bᵀf bᵀb + k₂] (T5)";
+  form.solver = "W = [fᵀf fᵀb; bᵀf bᵀb + k₂]";
   return form;
 }
 
@@ -102,7 +102,7 @@ Form by_tridiagonal(const Matrix& mass, const Matrix& gyroscopic, const Matrix& 
   form.velocity = lapack::multiply(even.rightCols(n), to_x);
   form.orthogonal = std::move(q);
   form.bidiagonal = std::move(bidiagonal);
-  form.solver = "W = DᵀD, tridiagonal, D the bidiagonal half of the skew tridiagonal form of order 2n (T8)";
+  form.solver = "W = DᵀD, tridiagonal, D the bidiagonal half of the skew tridiagonal form of order 2n";
   return form;
 }
 

@@ -28,7 +28,7 @@ void add(const dense::ConstantForm& form, bool transformation, Conversion& to) {
 
 void add(const dense::UnitaryForm& form, bool transformation, Conversion& to) {
   to.matrices.push_back(
-      {"W", form.w, Symmetry::general, "eigenvalues ω². Upper Hessenberg, from the Hamiltonian form by the unitary matrix Q1 + jQ2 (T8e)"});
+      {"W", form.w, Symmetry::general, "eigenvalues ω². Upper Hessenberg, from the Hamiltonian form by the unitary matrix Q1 + jQ2"});
   if (!transformation) return;
   to.matrices.push_back({"U", side_by_side(form.displacement, form.velocity), Symmetry::general, "v = U (q, q') obeys v'' = -W' v"});
   to.matrices.push_back({"Q1", form.q1, Symmetry::general, "real part of the unitary Q1 + jQ2"});

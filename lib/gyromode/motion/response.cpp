@@ -78,6 +78,7 @@ void Response::judge(std::size_t k) {
 }
 
 State Response::at(double t) const {
+  if (!(t >= 0) || !std::isfinite(t)) throw InvalidArgument(fmt::format("a motion from initial conditions at t = 0 has no time {}", t));
   if (t == 0) return start_;
   const Index n = units_->scale.size();
   State w = State::rest(n);

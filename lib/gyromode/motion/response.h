@@ -42,7 +42,8 @@ class Response {
   ~Response();
   Response(Response&&) noexcept;  ///< movable
 
-  State at(double t) const;  ///< at one time, t ≥ 0
+  /// At one time. Throws InvalidArgument unless t ≥ 0 and finite: forces begin at 0.
+  State at(double t) const;
   /// At many times, ≥ 0; `progress` is told "times".
   History at(const Vector& times, const Progress& progress = {}) const;
 

@@ -21,8 +21,9 @@ double number_in(const CsvRow& row, std::size_t column, std::string_view what, c
   const Parsed p = parse_real(field);
   if (p.outcome == Parsed::ok) return p.value;
   throw Unreadable(file, row.line, 0,
-                   fmt::format("{} '{}' is {}: a finite number was expected", what, shown(field),
-                               p.outcome == Parsed::not_finite ? "not finite" : "no number"));
+                   fmt::format("{} '{}' is {}: a finite number was expected{}", what, shown(field),
+                               p.outcome == Parsed::not_finite ? "not finite" : "no number",
+                               field.find(',') == std::string::npos ? "" : ", with a decimal point"));
 }
 
 // A label as it is, unless a terminal would obey it.

@@ -14,6 +14,8 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <set>
+#include <string_view>
 
 namespace gyromode {
 
@@ -78,10 +80,11 @@ const NamedMatrix* found(const std::vector<NamedMatrix>& all, const std::string&
 // G and K that name their rows, and M likewise, in the order of all names; zero where a matrix does not name a row.
 void bring_to_one_order(const std::vector<Sourced*>& matrices) {
   Labels all;
+  std::set<std::string_view> seen;
   for (const Sourced* s : matrices) {
     if (s->matrix.labels.empty()) return;
     for (const std::string& label : s->matrix.labels) {
-      if (std::find(all.begin(), all.end(), label) == all.end()) all.push_back(label);
+      if (seen.insert(label).second) all.push_back(label);
     }
   }
   const auto dof = [](const std::string& label) {  // grid point and component

@@ -38,10 +38,10 @@ void require_uncoupled(const Matrix& g, const Labels& labels, const std::vector<
   for (const Index i : massless) {
     for (const Index j : massless) {
       if (g(i, j) == 0) continue;
-      throw LawBroken(fmt::format(
-          "coordinates without mass must not be coupled by G among themselves: entry ({},{}) = {:.6g} couples {}; give them their mass, "
-          "or leave that entry out",
-          i + 1, j + 1, g(i, j), named(labels, {i, j})));
+      throw LawBroken::of("G", fmt::format("coordinates without mass must not be coupled by G among themselves: entry ({},{}) = {:.6g} "
+                                           "couples {}; give them their mass, "
+                                           "or leave that entry out",
+                                           i + 1, j + 1, g(i, j), named(labels, {i, j})));
     }
   }
 }
@@ -58,10 +58,10 @@ void require_held(const Matrix& k, const Labels& labels, const std::vector<Index
   for (std::size_t i = 0; i < massless.size(); ++i) {
     if (part(static_cast<Index>(i)) > 0.1 * part.maxCoeff()) free.push_back(massless[i]);
   }
-  throw LawBroken(
-      fmt::format("M must be positive definite, or stiffness must hold what has no mass: {} {} neither mass nor, with the others "
-                  "held, stiffness; give it mass or stiffness, or leave it out",
-                  named(labels, free), free.size() == 1 ? "has" : "have"));
+  throw LawBroken::of(
+      "M", fmt::format("M must be positive definite, or stiffness must hold what has no mass: {} {} neither mass nor, with the others "
+                       "held, stiffness; give it mass or stiffness, or leave it out",
+                       named(labels, free), free.size() == 1 ? "has" : "have"));
 }
 
 // What rounding of the terms of a + b c leaves.
@@ -84,7 +84,7 @@ std::optional<Condensation> condensation(const Matrix& mass, const Matrix& gyros
   auto [m, s] = parted(mass);
   if (s.empty() || mass.rows() != mass.cols()) return std::nullopt;
   AdmittedMatrices a = admitted(mass, gyroscopic, stiffness, labels, admission);
-  if (m.empty()) throw LawBroken("M must be positive definite: it is zero, no coordinate has mass");
+  if (m.empty()) throw LawBroken::of("M", "M must be positive definite: it is zero, no coordinate has mass");
   require_uncoupled(a.gyroscopic, a.labels, s);
   const Matrix held = a.stiffness(s, s);
   require_held(held, a.labels, s);

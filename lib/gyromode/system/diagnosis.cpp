@@ -71,6 +71,12 @@ std::string exchanged(const Matrix& g, const Matrix& k) {
   return largest(g) > 0 && largest(k) > 0 && symmetric(g) && skew(k) ? "G is symmetric and K is skew: were they exchanged?" : "";
 }
 
+// The file of one matrix given for another.
+std::string repeated(char a, const Matrix& one, char b, const Matrix& other) {
+  if (largest(one) == 0 || one != other) return "";
+  return fmt::format("{} is the same matrix as {}: was the wrong one given?", a, b);
+}
+
 std::string remedy(const Matrix& dropped, const Matrix& whole, const char* part) {
   const double size = 2 * largest(dropped) / largest(whole);
   const double power = std::pow(10, std::floor(std::log10(size))), rounded = std::ceil(size / power) * power;
@@ -82,6 +88,7 @@ std::string remedy(const Matrix& dropped, const Matrix& whole, const char* part)
 std::string diagnosis_of_gyroscopic(const Matrix& mass, const Matrix& g, const Matrix& k) {
   if (const std::string words = exchanged(g, k); !words.empty()) return words;
   if (const std::string words = divided(mass, g, k); !words.empty()) return words;
+  if (const std::string words = repeated('G', g, 'M', mass) + repeated('G', g, 'K', k); !words.empty()) return words;
   const Matrix damping = symmetric_part(g);
   const std::string skew_alone = remedy(damping, g, "skew");
   if (g.rows() <= examined_up_to) {
@@ -101,6 +108,7 @@ std::string diagnosis_of_gyroscopic(const Matrix& mass, const Matrix& g, const M
 
 std::string diagnosis_of_stiffness(const Matrix& mass, const Matrix& g, const Matrix& k) {
   if (const std::string words = exchanged(g, k); !words.empty()) return words;
+  if (const std::string words = repeated('K', k, 'G', g); !words.empty()) return words;
   const Matrix n = skew_part(k);
   const std::string symmetric_alone = remedy(n, k, "symmetric");
   Index pairs = 0, row = 0, column = 0;

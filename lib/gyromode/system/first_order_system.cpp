@@ -16,7 +16,7 @@ FirstOrderSystem::FirstOrderSystem(Matrix inertia, Matrix gyroscopic, Labels lab
   require_square("I", inertia_);
   require_square("G", gyroscopic_);
   if (gyroscopic_.rows() != size()) {
-    throw LawBroken(fmt::format("G must have the order of I: it is {0} × {0}, I is {1} × {1}", gyroscopic_.rows(), size()));
+    throw LawBroken::of("G", fmt::format("G must have the order of I: it is {0} × {0}, I is {1} × {1}", gyroscopic_.rows(), size()));
   }
   require_finite("I", inertia_);
   require_finite("G", gyroscopic_);

@@ -50,14 +50,16 @@ void require_order(std::string_view what, Index n) {
 }
 
 void require_square(std::string_view name, const Matrix& a) {
-  if (a.rows() != a.cols()) throw LawBroken(fmt::format("{} must be square: it has {} rows and {} columns", name, a.rows(), a.cols()));
-  if (a.rows() == 0) throw LawBroken(fmt::format("{} must have at least one coordinate: it is empty", name));
+  if (a.rows() != a.cols())
+    throw LawBroken::of(name, fmt::format("{} must be square: it has {} rows and {} columns", name, a.rows(), a.cols()));
+  if (a.rows() == 0) throw LawBroken::of(name, fmt::format("{} must have at least one coordinate: it is empty", name));
 }
 
 void require_finite(std::string_view name, const Matrix& a) {
   for (Index j = 0; j < a.cols(); ++j) {
     for (Index i = 0; i < a.rows(); ++i) {
-      if (!std::isfinite(a(i, j))) throw LawBroken(fmt::format("{} must be finite: entry ({},{}) = {}", name, i + 1, j + 1, a(i, j)));
+      if (!std::isfinite(a(i, j)))
+        throw LawBroken::of(name, fmt::format("{} must be finite: entry ({},{}) = {}", name, i + 1, j + 1, a(i, j)));
     }
   }
 }
@@ -66,17 +68,18 @@ void require_positive_definite(std::string_view name, const Matrix& a, const Lab
   const Index n = a.rows();
   for (Index i = 0; i < n; ++i) {
     if (!(a(i, i) > 0)) {
-      throw LawBroken(fmt::format("{} must be positive definite: diagonal entry ({},{}) = {:.6g} of coordinate '{}' is not above 0", name,
-                                  i + 1, i + 1, a(i, i), labels[static_cast<std::size_t>(i)]));
+      throw LawBroken::of(
+          name, fmt::format("{} must be positive definite: diagonal entry ({},{}) = {:.6g} of coordinate '{}' is not above 0", name, i + 1,
+                            i + 1, a(i, i), labels[static_cast<std::size_t>(i)]));
     }
   }
   const Weakest w = weakest(scaled(a, unit_diagonal_scale(a)));
   const double limit = static_cast<double>(n) * epsilon;
   if (w.value > limit) return;
-  throw LawBroken(fmt::format(
-      "{} must be positive definite: scaled to unit diagonal its smallest eigenvalue is {:.3g}, not above n ε = {:.2g}; coordinate '{}' "
-      "takes part most",
-      name, w.value, limit, labels[static_cast<std::size_t>(w.coordinate)]));
+  throw LawBroken::of(name, fmt::format("{} must be positive definite: scaled to unit diagonal its smallest eigenvalue is {:.3g}, not "
+                                        "above n ε = {:.2g}; coordinate '{}' "
+                                        "takes part most",
+                                        name, w.value, limit, labels[static_cast<std::size_t>(w.coordinate)]));
 }
 
 }  // namespace gyromode

@@ -82,7 +82,7 @@ std::optional<Repair> made_symmetric(std::string_view name, Matrix& a, int sign,
   const Departures d = departures(a, sign);
   if (d.worst.measure == 0) return std::nullopt;
   const bool let_in = d.worst.measure <= 1 || d.largest.size <= admission.symmetrise * d.largest_entry;
-  if (admission.strict || !let_in) throw LawBroken(broken(name, a, sign, d.worst, d.largest_entry));
+  if (admission.strict || !let_in) throw LawBroken::of(name, broken(name, a, sign, d.worst, d.largest_entry));
   Repair r;
   r.matrix = name;
   r.row = d.largest.i;

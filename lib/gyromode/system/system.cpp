@@ -15,11 +15,11 @@ namespace {
 
 void require_size(std::string_view name, const Matrix& a, Index n) {
   if (a.rows() != n)
-    throw LawBroken(fmt::format("{} must have the order of M: it is {} × {}, M is {} × {}", name, a.rows(), a.cols(), n, n));
+    throw LawBroken::of(name, fmt::format("{} must have the order of M: it is {} × {}, M is {} × {}", name, a.rows(), a.cols(), n, n));
 }
 
 LawBroken explained(const LawBroken& e, const std::string& diagnosis) {
-  return diagnosis.empty() ? e : LawBroken(fmt::format("{}; {}", e.what(), diagnosis));
+  return diagnosis.empty() ? e : LawBroken::of(e.matrix(), fmt::format("{}; {}", e.what(), diagnosis));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace gyromode::io {
 
 namespace {
 
-constexpr std::size_t gap = 2;           // before every column
+constexpr std::size_t column_gap = 2;    // before every column
 constexpr std::size_t least_words = 20;  // of a column that is wrapped
 
 std::string blanks(std::size_t n) { return std::string(n, ' '); }
@@ -77,7 +77,7 @@ std::string Grid::panel(const std::vector<std::size_t>& columns, const std::vect
         const std::string cell = l < cells[k].size() ? cells[k][l] : "";
         const std::size_t width = widths[columns[k]], used = std::min(width, columns_of(cell));
         const bool to_the_left = left[k];
-        line += blanks(gap) + (to_the_left ? cell + blanks(width - used) : blanks(width - used) + cell);
+        line += blanks(column_gap) + (to_the_left ? cell + blanks(width - used) : blanks(width - used) + cell);
       }
       line.erase(line.find_last_not_of(' ') + 1);
       out += line + "\n";
@@ -92,7 +92,7 @@ std::string Grid::aligned() const {
   const Grid padded = with_points_aligned();
   std::vector<std::size_t> widths = padded.widths(), all(heading_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const std::size_t total = std::accumulate(widths.begin(), widths.end(), gap * widths.size());
+  const std::size_t total = std::accumulate(widths.begin(), widths.end(), column_gap * widths.size());
   if (total <= line_columns) return padded.panel(all, widths);
 
   const auto widest = static_cast<std::size_t>(std::max_element(widths.begin(), widths.end()) - widths.begin());
@@ -106,9 +106,9 @@ std::string Grid::aligned() const {
   std::size_t next = 1;
   do {
     std::vector<std::size_t> columns{0};
-    std::size_t used = gap + widths[0];
-    while (next < all.size() && (columns.size() == 1 || used + gap + widths[next] <= line_columns)) {
-      used += gap + widths[next];
+    std::size_t used = column_gap + widths[0];
+    while (next < all.size() && (columns.size() == 1 || used + column_gap + widths[next] <= line_columns)) {
+      used += column_gap + widths[next];
       columns.push_back(next++);
     }
     out += (out.empty() ? "" : "\n") + padded.panel(columns, widths);
