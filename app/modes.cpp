@@ -47,7 +47,6 @@ ExitCode run(const Options& given) {
   ModesOptions options;
   options.window = o.window.read();
   options.lowest = o.lowest;
-  options.progress = job.progress();
   options.method = method_named(o.method).value_or(Method::automatic);
   if (!o.keep.empty()) options.keep = labels_of(o.keep, job.model().labels());
   if (o.method == "discrete") job.replace(job.model().body->discretised(o.elements));
@@ -56,8 +55,14 @@ ExitCode run(const Options& given) {
   o.output.pictures = job.model().body->transcendental();
   const Format format = o.output.chosen();
   options.shapes = o.shapes || format == Format::svg;
-  const ModesResult result = job.answer([&](const Model& m) { return m.modes(options); });
+  const ModesResult result = job.answer([&](const Model& m, const Progress& progress) {
+    options.progress = progress;
+    return m.modes(options);
+  });
   o.output.write(document(job.model(), result, job.timings(), format, o.schema));
+  if (o.output.verbose) {
+    for (const std::string& line : evidence(result)) o.output.say(line);
+  }
   for (const std::string& remark : result.remarks(o.lowest)) o.output.say(remark);
   if (result.coverage.interrupted) return job.interrupted();
   if (result.is_complete()) return ExitCode::done;

@@ -23,7 +23,8 @@ void OutputOption::add_to(CLI::App& verb) {
       ->check(CLI::IsMember({"table", "json", "csv", "markdown", "svg"}));
   verb.add_option("-o,--output", file, "Write the result to FILE (.json, .csv, .md, .svg by extension) instead of stdout")
       ->type_name("FILE");
-  verb.add_flag("--quiet", quiet, "No remarks on stderr; errors remain");
+  auto* silent = verb.add_flag("--quiet", quiet, "No remarks on stderr; errors remain");
+  verb.add_flag("--verbose", verbose, "On stderr how long each stage took, and the numbers that the verdict rests on")->excludes(silent);
 }
 
 Format OutputOption::chosen(Format otherwise) const {

@@ -10,10 +10,10 @@
 
 namespace gyromode::app {
 
-/// Where a result goes and how it looks: [--format F] [-o FILE] [--quiet].
+/// Where a result goes and how it looks: [--format F] [-o FILE] [--quiet] [--verbose].
 struct OutputOption {
   std::string format, file;
-  bool quiet = false;
+  bool quiet = false, verbose = false;
   bool pictures = false;  ///< whether svg is among the formats
 
   void add_to(CLI::App& verb);

@@ -77,12 +77,12 @@ ParameterAxis axis_of(const Model& model, const AxisText& text) {
   return axis;
 }
 
-StabilityReport asked(const Model& model, const std::vector<AxisText>& texts, const Job& job) {
+StabilityReport asked(const Model& model, const std::vector<AxisText>& texts, const Progress& progress) {
   std::vector<ParameterAxis> axes;
   for (const AxisText& text : texts) axes.push_back(axis_of(model, text));
-  StabilityReport report = model.stability();
+  StabilityReport report = model.stability(progress);
   for (const ParameterAxis& axis : axes) report.varied.push_back(axis.keys);
-  if (!axes.empty()) report.map = model.stability_over(axes, job.progress());
+  if (!axes.empty()) report.map = model.stability_over(axes, progress);
   return report;
 }
 
@@ -95,8 +95,11 @@ void require_models(const StabilityMap& map) {
 ExitCode run(const Options& o) {
   const std::vector<AxisText> axes = axes_of(o.vary);
   Job job(o.source, o.output);
-  const StabilityReport report = job.answer([&](const Model& m) { return asked(m, axes, job); });
+  const StabilityReport report = job.answer([&](const Model& m, const Progress& p) { return asked(m, axes, p); });
   o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
+  if (o.output.verbose) {
+    for (const std::string& line : evidence(report.result)) o.output.say(line);
+  }
   if (report.map && report.map->interrupted) return job.interrupted();
   if (report.map) require_models(*report.map);
   if (report.result.stability != Stability::unknown) return ExitCode::done;

@@ -97,8 +97,8 @@ ModesResult CondensedModel::modes(const ModesOptions& options) const {
 
 CountResult CondensedModel::count(const Window& window) const { return count_modes(c_.reduced, window); }
 
-StabilityReport CondensedModel::stability() const {
-  StabilityReport r = ModelKind::stability();
+StabilityReport CondensedModel::stability(const Progress& progress) const {
+  StabilityReport r = ModelKind::stability(progress);
   r.opposite = nearest_opposite_pair(r.result.modes);
   r.stiffness = stiffness_margin(c_.reduced, r.result.stiffness.zero);
   return r;

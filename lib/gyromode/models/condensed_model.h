@@ -18,7 +18,7 @@ class CondensedModel : public ModelKind {
   Labels massless() const override;
   ModesResult modes(const ModesOptions& options) const override;
   CountResult count(const Window& window) const override;
-  StabilityReport stability() const override;
+  StabilityReport stability(const Progress& progress) const override;
   StructureReport structure(std::optional<double> at) const override;
   void require_motion() const override {}
   ResponseReport response(const MotionRequest& request) const override;

@@ -36,8 +36,8 @@ ModesResult MatricesModel::modes(const ModesOptions& options) const { return fin
 
 CountResult MatricesModel::count(const Window& window) const { return count_modes(system_, window); }
 
-StabilityReport MatricesModel::stability() const {
-  StabilityReport r = ModelKind::stability();
+StabilityReport MatricesModel::stability(const Progress& progress) const {
+  StabilityReport r = ModelKind::stability(progress);
   r.opposite = nearest_opposite_pair(r.result.modes);
   r.stiffness = stiffness_margin(system_, r.result.stiffness.zero);
   return r;

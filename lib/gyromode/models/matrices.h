@@ -30,7 +30,7 @@ class MatricesModel : public ModelKind {
   std::string_view in_words() const override { return "M, G, K"; }
   ModesResult modes(const ModesOptions& options) const override;
   CountResult count(const Window& window) const override;
-  StabilityReport stability() const override;
+  StabilityReport stability(const Progress& progress) const override;
   StructureReport structure(std::optional<double> at) const override;
   void require_motion() const override {}
   ResponseReport response(const MotionRequest& request) const override;

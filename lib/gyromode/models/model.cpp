@@ -31,7 +31,7 @@ Index Model::size() const { return body->size(); }
 const Labels& Model::labels() const { return body->labels(); }
 ModesResult Model::modes(const ModesOptions& options) const { return body->modes(options); }
 CountResult Model::count(const Window& window) const { return body->count(window); }
-StabilityReport Model::stability() const { return body->stability(); }
+StabilityReport Model::stability(const Progress& progress) const { return body->stability(progress); }
 StabilityMap Model::stability_over(const std::vector<ParameterAxis>& axes, const Progress& progress) const {
   return gyromode::stability_over(*body, axes, progress);
 }

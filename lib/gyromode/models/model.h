@@ -66,7 +66,7 @@ struct Model {
   /// How many modes a window holds. @throws see count_modes()
   CountResult count(const Window& window) const;
   /// The verdict with what it rests on.
-  StabilityReport stability() const;
+  StabilityReport stability(const Progress& progress = {}) const;
   /// The verdict over a grid of one or two parameters, with critical values. @throws InvalidArgument where a key names
   /// no parameter
   StabilityMap stability_over(const std::vector<ParameterAxis>& axes, const Progress& progress = {}) const;

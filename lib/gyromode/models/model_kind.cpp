@@ -7,16 +7,17 @@
 
 namespace gyromode {
 
-ModesResult ModelKind::verdict(bool with_shapes) const {
+ModesResult ModelKind::verdict(bool with_shapes, const Progress& progress) const {
   ModesOptions options;
+  options.progress = progress;
   options.shapes = with_shapes;
   if (!finite()) options.lowest = 1;  // the verdict needs no window
   return modes(options);
 }
 
-StabilityReport ModelKind::stability() const {
+StabilityReport ModelKind::stability(const Progress& progress) const {
   StabilityReport r;
-  r.result = verdict(true);
+  r.result = verdict(true, progress);
   return r;
 }
 

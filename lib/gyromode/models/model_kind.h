@@ -34,8 +34,8 @@ class ModelKind {
   virtual ModesResult modes(const ModesOptions& options) const = 0;
   virtual CountResult count(const Window& window) const = 0;
   /// The modes that a verdict on stability needs, and no more.
-  virtual ModesResult verdict(bool with_shapes) const;
-  virtual StabilityReport stability() const;
+  virtual ModesResult verdict(bool with_shapes, const Progress& progress = {}) const;
+  virtual StabilityReport stability(const Progress& progress) const;
   /// `at`: also H there, rad per unit of time.
   virtual StructureReport structure(std::optional<double> at) const = 0;
   /// Throws NotApplicable unless it has displacements and velocities that move over time.

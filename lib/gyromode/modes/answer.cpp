@@ -56,6 +56,7 @@ ModesResult modes_of(const CountedSpectrum& s, const ModesOptions& options) {
   if (!options.lowest) require_end(s, options.window, "a window with two ends or the number of lowest ones is");
   const Window asked = in_unit_of(s, options.window);
   if (!options.lowest) require_listable(s, asked);
+  if (s.finite()) options.progress.stage("counts at the ends of the window");
   const FilledWindow lowest = options.lowest ? lowest_window(s, *options.lowest, asked, options.progress) : FilledWindow{};
   const WindowEnds ends = ends_of(s, options.lowest ? lowest.window : asked);
   const RootRange found = options.lowest ? lowest.found : s.roots(ends.window, options.progress);

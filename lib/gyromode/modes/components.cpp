@@ -17,16 +17,21 @@ namespace gyromode {
 
 namespace {
 
-void go_on(const Progress& progress) {
+// Stages of small components are over before anybody could read of them.
+constexpr Index worth_a_word = 100;
+
+void go_on(const Progress& progress, Index size, std::string_view stage) {
   if (progress.stopped()) throw Interrupted();
+  if (size >= worth_a_word) progress.stage(stage);
 }
 
 // Everything in the units of the impedance until the end.
 SolvedComponent certified(dense::Impedance impedance, Spectrum spectrum, const Progress& progress) {
-  go_on(progress);
+  const Index n = spectrum.size();
+  go_on(progress, n, "residuals and error bounds");
   Assessment assessment = correct(impedance, spectrum);
   polish(impedance, spectrum, assessment);
-  go_on(progress);
+  go_on(progress, n, "energy signs and verdict");
   if (impedance.second_order()) return_undecided_flutter(impedance, spectrum, assessment);
   Verdict verdict = verdict_on(impedance, spectrum, assessment);
   return {std::move(spectrum), std::move(impedance), std::move(assessment), std::move(verdict)};
@@ -34,8 +39,10 @@ SolvedComponent certified(dense::Impedance impedance, Spectrum spectrum, const P
 
 template <class AnySystem>
 SolvedComponent solved_component(const AnySystem& system, const Component& component, Method method, const Progress& progress) {
-  go_on(progress);
+  const auto n = static_cast<Index>(component.coordinates.size());
+  go_on(progress, n, "choice of units");
   dense::Impedance impedance = dense::impedance_of(system, component, method);
+  go_on(progress, n, "roots and shapes");
   Spectrum spectrum = dense::solve(impedance, component, method);
   return certified(std::move(impedance), std::move(spectrum), progress);
 }
@@ -121,8 +128,9 @@ std::optional<InertiaOfK> inertia_of_whole(const FirstOrderSystem&) { return std
 template <class AnySystem>
 SolvedSystem solved(const AnySystem& system, Method method, const Progress& progress) {
   SolvedSystem s;
-  s.structure = structure_for(system, method);
   s.size = system.size();
+  go_on(progress, s.size, "structure");
+  s.structure = structure_for(system, method);
   const Index all = static_cast<Index>(s.structure.components.size());
   for (const Component& component : s.structure.components) {
     try {
@@ -134,7 +142,7 @@ SolvedSystem solved(const AnySystem& system, Method method, const Progress& prog
       break;
     }
     to_given_units(s.components.back());
-    progress.report("components", static_cast<Index>(s.components.size()), all);
+    if (all > 1) progress.report("components", static_cast<Index>(s.components.size()), all);
   }
   return s;
 }

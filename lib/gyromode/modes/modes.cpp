@@ -37,7 +37,10 @@ ModesResult answered(const AnySystem& system, const ModesOptions& options) {
   const MatrixSpectrum spectrum(solve_components(system, options.method, options.progress));
   ModesResult r = modes_of(spectrum, options);
   r.repairs = system.repairs();
-  if (!r.repairs.empty() && !r.coverage.interrupted) state_effects(system, spectrum, r);
+  if (!r.repairs.empty() && !r.coverage.interrupted) {
+    options.progress.stage("effect of what was repaired");
+    state_effects(system, spectrum, r);
+  }
   r.withhold_doubtful_verdict();
   return r;
 }

@@ -30,8 +30,8 @@ class ParametrisedModel : public ModelKind {
   bool finite() const override { return made_->finite(); }
   ModesResult modes(const ModesOptions& options) const override { return made_->modes(options); }
   CountResult count(const Window& window) const override { return made_->count(window); }
-  ModesResult verdict(bool with_shapes) const override { return made_->verdict(with_shapes); }
-  StabilityReport stability() const override { return made_->stability(); }
+  ModesResult verdict(bool with_shapes, const Progress& progress) const override { return made_->verdict(with_shapes, progress); }
+  StabilityReport stability(const Progress& progress) const override { return made_->stability(progress); }
   StructureReport structure(std::optional<double> at) const override { return made_->structure(at); }
   void require_motion() const override { made_->require_motion(); }
   ResponseReport response(const MotionRequest& request) const override { return made_->response(request); }

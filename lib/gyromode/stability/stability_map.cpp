@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gyromode {
 
@@ -32,6 +33,16 @@ std::vector<Place> decided(const std::vector<double>& along, const StabilityMap:
   return kept;
 }
 
+// Bisections of every interval with a border, each down to the resolution: more where a third verdict parts one.
+Index expected_evaluations(const std::vector<Place>& places, double range) {
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    if (places[k].point->differs(*places[k + 1].point))
+      sum += std::log2((places[k + 1].at - places[k].at) / (BorderSearch::resolution * range));
+  }
+  return static_cast<Index>(std::ceil(sum));
+}
+
 using Verdict = std::function<StabilityPoint(const std::vector<double>&)>;
 
 // One row of the grid, at `rest` of the second parameter (empty without one): its cells, then its borders.
@@ -53,16 +64,22 @@ void add_row(const Verdict& verdict, const std::vector<double>& rest, const Prog
     progress.report("cells", static_cast<Index>(map.cells.size()), all);
   }
   const double range = along.back() - along.front();
-  BorderSearch search(at, range);
-  std::vector<Border> borders;
   const std::vector<Place> places = decided(along, map.cells.data() + first);
+  const Index expected = expected_evaluations(places, range);
+  Index evaluated = 0;
+  BorderSearch search(
+      [&](double x) {
+        progress.report("verdicts between cells", evaluated++, expected);
+        return at(x);
+      },
+      range);
+  std::vector<Border> borders;
   bool stopped = false;
   try {
     for (std::size_t k = 0; k + 1 < places.size(); ++k) {
       if (!places[k].point->differs(*places[k + 1].point)) continue;
       for (Border& b : search.between(places[k].at, *places[k].point, places[k + 1].at, *places[k + 1].point))
         borders.push_back(std::move(b));
-      progress.report("verdicts between cells", map.evaluations + search.evaluations(), 0);
     }
   } catch (const Interrupted&) {  // borders found by then are kept
     stopped = true;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gyromode {
 
@@ -22,6 +23,10 @@ struct Timings {
   double read = 0;   ///< of the model
   double solve = 0;  ///< of the answer
 };
+
+/// The numbers that a verdict and a list of modes rest on, a line each, for people: components, index balance, counts,
+/// the largest residual and error bound, the nearest roots of opposite energy sign.
+std::vector<std::string> evidence(const ModesResult& result);
 
 /// A result as text in the format asked for; svg, a picture of the shapes, is for the modes of a spacecraft with
 /// shapes. JSON follows the public schemas (docs/results.md), 17 significant digits where needed. `version` of the
