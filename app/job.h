@@ -20,6 +20,7 @@ class Job {
   Job(const ModelSource& source, const OutputOption& output) : output_(output), model_(read(source, output)) {
     timings_.read = watch_.lap();
     if (output.verbose) output.say(fmt::format("{}: {} coordinates read in {:.3g} s", model_.title, model_.size(), timings_.read));
+    for (const std::string& doubt : model_.doubts()) output.say("remark: " + doubt);
     if (model_.ignored) output.say(in_words(*model_.ignored));
   }
 

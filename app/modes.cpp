@@ -63,6 +63,7 @@ ExitCode run(const Options& given) {
   if (o.output.verbose) {
     for (const std::string& line : evidence(result)) o.output.say(line);
   }
+  for (const std::string& doubt : job.model().doubts(result)) o.output.say("remark: " + doubt);
   for (const std::string& remark : result.remarks(o.lowest)) o.output.say(remark);
   if (result.coverage.interrupted) return job.interrupted();
   if (result.is_complete()) return ExitCode::done;

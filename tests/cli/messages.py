@@ -29,6 +29,15 @@ def said(code, words, *arguments, model=None, files={}):
         failures.append(f"{what}: the model was overwritten")
 
 
+def silent(*arguments, model):
+    """No word on stderr."""
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / "m.toml").write_text(model)
+        result = subprocess.run([program, *arguments], capture_output=True, text=True, cwd=folder, timeout=120)
+    if result.returncode != 0 or result.stderr:
+        failures.append(f"{arguments} {model!r}: {result.returncode}, {result.stderr}")
+
+
 # Verbs and options
 said(1, "'m.toml' is no verb: a verb comes first, such as gyromode modes m.toml", "m.toml")
 said(1, "'mode' is no verb: did you mean 'modes'?", "mode", "m.toml")
@@ -74,6 +83,17 @@ said(0, "no model at 2 of 4 points: at mass[0][0] = -3 M must be positive defini
 said(0, "spin [rad/s]  what changes", "stability", models / "three_springs.toml", "--vary", "spin=0:12000rpm:25")
 said(0, "stable → 1 divergent", "stability", models / "three_springs.toml", "--vary", "spin=0:12000rpm:25")
 said(0, "1 divergent → gyroscopically stabilised", "stability", models / "three_springs.toml", "--vary", "spin=0:12000rpm:25")
+# Lawful, but probably meant otherwise
+TURNING = 'kind = "matrices"\nspin = 2\nmass = [3, 3]\nstiffness = [27, 48]\nstiffness_per_spin2 = [[-3, 0], [0, -3]]\n'
+said(0, "softens with the spin, as in turning axes, and there is no gyroscopic_per_spin", "modes", "m.toml", model=TURNING)
+said(0, "gyroscopic_per_spin is 0.5 of the Coriolis forces 2ΩM that belong to the softening", "modes", "m.toml", model=TURNING + "gyroscopic_per_spin = [[0, -3], [3, 0]]\n")
+silent("modes", "m.toml", model=TURNING + "gyroscopic_per_spin = [[0, -6], [6, 0]]\n")
+silent("modes", "m.toml", model=TURNING + 'frame = "fixed"\n')
+said(0, "K is indefinite and G = 0: if K holds the softening of turning axes", "modes", "m.toml", model='kind = "matrices"\nmass = [1, 1]\nstiffness = [-2, 3]\n')
+said(0, "'u_x [mm]' is in mm: with K in N/mm the masses are in t", "modes", "m.toml", model=ONE + 'labels = ["u_x [mm]", "u_y [mm]"]\n')
+said(0, "lower by 31.62 than those known of the model: mm and N with kg", "modes", "m.toml", model=ONE + "known = {frequencies = [63.2456, 94.8683]}\n")
+said(0, "higher by 6.283 than those known of the model: Hz given", "modes", "m.toml", model=ONE + "known = {frequencies = [0.31831, 0.477465]}\n")
+silent("modes", "m.toml", model=ONE + "known = {frequencies = [2, 3]}\n")
 # The file at fault, of three
 WIRES = [str(models / "wiresaw" / f"{m}.mtx") for m in "MGK"]
 said(3, "M.mtx: G must satisfy G = −Gᵀ: the diagonal entry (1,1) = 0.5 must be 0, it is 1e+02 % of the largest entry; G is the same matrix as M: was", "modes", "--mass", WIRES[0], "--gyroscopic", WIRES[0], "--stiffness", WIRES[2])
@@ -85,6 +105,7 @@ said(0, "    1  0                 0                  0   0.0e+00  rigid body\n  
 said(0, "vibration ×2", "modes", "m.toml", model=TWINS)
 said(0, "| # | a\\_\\* | b\\|c | \\<d\\> |", "modes", "m.toml", "--shapes", "--format", "markdown", model=TWINS)
 for model in sorted(models.glob("*.toml")):
+    silent("modes", str(model), "--lowest", "2", model="")
     for verb in (["modes", model, "--lowest", "3", "--shapes"], ["stability", model], ["structure", model], ["help", "response"]):
         text = subprocess.run([program, *map(str, verb)], capture_output=True, text=True, timeout=120).stdout
         for line in text.splitlines():

@@ -1,5 +1,7 @@
 #include "gyromode/models/matrices.h"
 
+#include "gyromode/system/plausibility.h"
+
 #include "gyromode/base/error.h"
 #include "gyromode/models/response_facts.h"
 #include "gyromode/stability/stability_margin.h"
@@ -41,6 +43,11 @@ StabilityReport MatricesModel::stability(const Progress& progress) const {
   r.opposite = nearest_opposite_pair(r.result.modes);
   r.stiffness = stiffness_margin(system_, r.result.stiffness.zero);
   return r;
+}
+
+std::vector<std::string> MatricesModel::doubts() const {
+  std::vector<std::string> all = matrices_.family ? doubts_on(*matrices_.family) : std::vector<std::string>{};
+  return all.empty() ? doubts_on(system_) : all;
 }
 
 StructureReport MatricesModel::structure(std::optional<double> at) const {

@@ -4,6 +4,7 @@
 #include "gyromode/models/model_kind.h"
 #include "gyromode/models/spacecraft_model.h"
 #include "gyromode/models/stability_over.h"
+#include "gyromode/system/plausibility.h"
 
 namespace gyromode {
 
@@ -38,6 +39,21 @@ StabilityMap Model::stability_over(const std::vector<ParameterAxis>& axes, const
 StructureReport Model::structure(std::optional<double> at) const { return body->structure(at); }
 ResponseReport Model::response(const MotionRequest& request) const { return body->response(request); }
 FrequencyReport Model::frequency_response(const FrequencyRequest& request) const { return body->frequency_response(request); }
+std::vector<std::string> Model::doubts() const {
+  std::vector<std::string> all = frame == Frame::fixed ? std::vector<std::string>{} : body->doubts();
+  for (std::string& doubt : doubts_on(labels())) all.push_back(std::move(doubt));
+  return all;
+}
+
+std::vector<std::string> Model::doubts(const ModesResult& found) const {
+  std::vector<double> frequencies;
+  for (const Mode& m : found.modes) {
+    if (m.omega > 0) frequencies.push_back(m.omega);
+  }
+  std::string doubt = doubt_on_unit(frequencies, known.frequencies);
+  return doubt.empty() ? std::vector<std::string>{} : std::vector<std::string>{std::move(doubt)};
+}
+
 std::vector<Parameter> Model::parameters() const { return body->parameters(); }
 
 Model Model::with(const std::vector<ParameterValue>& values) const {

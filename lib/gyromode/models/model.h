@@ -78,6 +78,10 @@ struct Model {
   /// The response to f e^{jωt} over a grid of ω. @throws NotApplicable but for matrix models of second order
   FrequencyReport frequency_response(const FrequencyRequest& request) const;
 
+  /// What looks like a mistake though it is lawful, for people, a sentence each: softening without Coriolis forces,
+  /// millimetres with kilograms; with modes found, in what unit the `known` frequencies may be.
+  std::vector<std::string> doubts() const;
+  std::vector<std::string> doubts(const ModesResult& found) const;  ///< those that a result adds
   /// The numbers it is made of.
   std::vector<Parameter> parameters() const;
   /// The same model with other values of some. @throws InvalidArgument for a key that names none; LawBroken where the

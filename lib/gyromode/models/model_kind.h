@@ -43,6 +43,9 @@ class ModelKind {
   virtual ResponseReport response(const MotionRequest& request) const;
   virtual FrequencyReport frequency_response(const FrequencyRequest& request) const;
 
+  /// What looks like a mistake though it is lawful, for people.
+  virtual std::vector<std::string> doubts() const { return {}; }
+
   /// The numbers it is made of, those worth listing; further ones may be named.
   virtual std::vector<Parameter> parameters() const { return {}; }
   /// The first number that a key names ([*] for every item); nothing where it names none.
