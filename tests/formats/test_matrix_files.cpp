@@ -31,7 +31,7 @@ Matrix the_one(const std::string& name) {
 
 std::string refusal(const std::string& bytes, const std::string& name = "K.dat") {
   try {
-    parse_matrices(bytes, name, 100);
+    chosen_matrix(parse_matrices(bytes, name, 100), {name, ""});
   } catch (const Error& e) {
     return e.what();
   }
@@ -79,7 +79,7 @@ TEST(MatrixFiles, OfOctave) {
 
 TEST(MatrixFiles, WhatIsNoRealMatrixIsNamed) {
   EXPECT_EQ(refusal_of("complex.npy"), "complex.npy: the NumPy array is complex: a matrix of real numbers was expected");
-  EXPECT_EQ(refusal_of("cube.npy"), "cube.npy: the NumPy array has 3 dimensions: a matrix was expected");
+  EXPECT_EQ(refusal_of("cube.npy"), "cube.npy: the NumPy array has 3 dimensions: a matrix of real numbers was expected");
   EXPECT_NE(refusal_of("objects.npy").find("real numbers"), std::string::npos);
   EXPECT_NE(refusal_of("K_dia.npz").find("csr, csc or coo was expected (A.tocsr() before save_npz)"), std::string::npos);
   EXPECT_EQ(refusal_of("stored.npz"), "stored.npz: holds 3 matrices (G, K, M): one was expected, chosen as stored.npz:NAME");
@@ -315,7 +315,7 @@ TEST(Op4, Binary) {
 
 TEST(Op4, Refusals) {
   expect_refused(op4_dense.substr(0, op4_dense.find("       3       2       4")), "OUTPUT4: the file ends where");
-  expect_refused(with(op4_dense, "6       2K", "6       4K"), "the matrix is complex");
+  expect_refused(with(op4_dense, "6       2K", "6       4K"), "'K' is complex: a matrix of real numbers");
   expect_refused(with(op4_dense, "1P,3E23.16", "UNKNOWN   "), "the format of values is 'UNKNOWN'");
   expect_refused(with(op4_dense, "       2       1       6", "       2       2       6"), "rows 2 to 4 of column 2 are outside");
   expect_refused(with(op4_dense, "2.0500000000000000E+01", "2.0500x00000000000E+01"), "where a number 23 columns wide was expected");

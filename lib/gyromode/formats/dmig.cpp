@@ -52,6 +52,23 @@ void add_fields(std::string_view line, Card& card) {
     for (; count < 8; ++count) card.fields.emplace_back();
     return;
   }
+  // Free field parted by blanks, as APDL's *DMAT reads it: the name does not wait for column 9, and terms have no
+  // second part of the value.
+  if (starts_entry(line) && line.size() > 5 && line[4] == ' ' && trimmed(line.substr(5, 3)) != "") {
+    std::vector<std::string_view> words;
+    for (std::string_view rest = trimmed(line.substr(4)); !rest.empty(); rest = trimmed(rest)) {
+      const std::size_t end = std::min(rest.find(' '), rest.size());
+      words.push_back(rest.substr(0, end));
+      rest.remove_prefix(end);
+    }
+    const bool header = words.size() > 1 && words[1] == "0";
+    for (std::size_t k = 0; k < words.size(); ++k) {
+      if (!header && k == 3) card.fields.emplace_back();
+      card.fields.push_back(words[k]);
+      if (!header && k >= 3 && (k - 3) % 3 == 2) card.fields.emplace_back();
+    }
+    return;
+  }
   const bool large = line.substr(0, 8).find('*') != std::string_view::npos;
   const std::size_t width = large ? 16 : 8, fields = large ? 4 : 8;
   for (std::size_t k = 0; k < fields; ++k) {
@@ -97,6 +114,7 @@ class Reader {
 
   void read(const Card& card) {
     const std::string matrix(card.field(0));
+    if (complex_.count(matrix)) return;
     if (matrix.empty()) fail(card, "the name of the matrix is missing");
     if (card.field(1) == "0")
       header(card, matrix);
@@ -124,6 +142,7 @@ class Reader {
       for (const Term& t : terms) entries.add(place.at(t.row), place.at(t.column), t.value);
       all.push_back({matrix, entries.dense(order, order, headers_.at(matrix).form == 6 ? 1 : 0), labels});
     }
+    for (const std::string& matrix : complex_) all.push_back({matrix, {}, {}, "is complex"});
     return all;
   }
 
@@ -138,7 +157,10 @@ class Reader {
                              shown(matrix)));
     if (!type || *type < 1 || *type > 4)
       fail(card, fmt::format("type '{}' of '{}': 1 or 2 (real) was expected", shown(card.field(3)), shown(matrix)));
-    if (*type > 2) fail(card, fmt::format("'{}' is complex: a real matrix was expected", shown(matrix)));
+    if (*type > 2) {
+      complex_.insert(matrix);
+      return;
+    }
     headers_[matrix] = {static_cast<int>(*form), card.line};
     order_.push_back(matrix);
     terms_[matrix];
@@ -174,16 +196,20 @@ class Reader {
   std::map<std::string, Header> headers_;
   std::map<std::string, std::vector<Term>> terms_;
   std::vector<std::string> order_;
+  std::set<std::string> complex_;
 };
 
 }  // namespace
 
+// Other entries of the bulk data may stand before, and case control.
 bool is_dmig(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
     const std::string_view line = text.substr(0, end);
     if (starts_entry(line)) return true;
-    if (!trimmed(line).empty() && line.front() != '$') return false;
+    const bool of_a_deck = trimmed(line).empty() || std::isalpha(static_cast<unsigned char>(line.front())) ||
+                           std::string_view("$+* ,").find(line.front()) != std::string_view::npos;
+    if (!of_a_deck) return false;
     if (end == std::string_view::npos) return false;
     text.remove_prefix(end + 1);
   }

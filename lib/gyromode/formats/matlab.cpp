@@ -113,10 +113,13 @@ std::vector<NamedMatrix> read_matlab(const std::filesystem::path& file, std::opt
     if (!info->name || !numeric(*info)) continue;
     const auto rows = static_cast<Index>(info->dims[0]), columns = static_cast<Index>(info->dims[1]);
     if (rows == 0 || columns == 0) continue;
+    if (info->isComplex) {
+      all.push_back({info->name, {}, {}, "is complex"});
+      continue;
+    }
     Entries entries(file, most);
     if (info->class_type != MAT_C_SPARSE) entries.require_size(rows, columns, rows * columns);
     if (Mat_VarReadDataAll(mat.get(), info.get()) != 0 || !info->data) fail(file, fmt::format("variable '{}' cannot be read", info->name));
-    if (info->isComplex) fail(file, fmt::format("variable '{}' is complex: a real matrix was expected", info->name));
     if (info->class_type == MAT_C_SPARSE) {
       entries.require_size(rows, columns, static_cast<Index>(static_cast<const mat_sparse_t*>(info->data)->ndata));
       all.push_back({info->name, sparse_of(*info, file, std::move(entries)), {}});

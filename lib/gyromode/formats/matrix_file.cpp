@@ -65,14 +65,24 @@ MatrixPlace matrix_place(const std::filesystem::path& written) {
   return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
+void require_fit(const NamedMatrix& m, const std::filesystem::path& file) {
+  if (!m.unfit.empty()) throw Unreadable(file, fmt::format("'{}' {}: a matrix of real numbers was expected", shown(m.name), m.unfit));
+}
+
 NamedMatrix chosen_matrix(std::vector<NamedMatrix> all, const MatrixPlace& place) {
   if (place.name.empty()) {
-    if (all.size() == 1) return std::move(all.front());
+    if (all.size() > 1) std::erase_if(all, [](const NamedMatrix& m) { return !m.unfit.empty(); });
+    if (all.size() == 1) {
+      require_fit(all.front(), place.file);
+      return std::move(all.front());
+    }
     throw Unreadable(place.file, fmt::format("holds {} matrices ({}): one was expected, chosen as {}:NAME", all.size(), names_of(all),
                                              place.file.filename().string()));
   }
   for (NamedMatrix& m : all) {
-    if (m.name == place.name) return std::move(m);
+    if (m.name != place.name) continue;
+    require_fit(m, place.file);
+    return std::move(m);
   }
   throw Unreadable(place.file, fmt::format("holds no matrix '{}': it has {}", shown(place.name), names_of(all)));
 }

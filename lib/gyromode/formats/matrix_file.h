@@ -14,9 +14,10 @@ namespace gyromode {
 
 /// A matrix of a file, with the name that it has there; in files without names that of the file.
 struct NamedMatrix {
-  std::string name;    ///< "M", "KAAX"
-  Matrix matrix;       ///< dense
-  Labels labels = {};  ///< of rows and columns, where the file names them: "12.3" is direction 3 of grid point 12
+  std::string name;        ///< "M", "KAAX"
+  Matrix matrix;           ///< dense
+  Labels labels = {};      ///< of rows and columns, where the file names them: "12.3" is direction 3 of grid point 12
+  std::string unfit = {};  ///< why it is no matrix of real numbers ("is complex"); `matrix` is empty then
 };
 
 /// All matrices of a file, recognised by its content and not by its name: Matrix Market, NumPy .npy and .npz (dense,
@@ -41,8 +42,10 @@ struct MatrixPlace {
 /// A file that exists under the whole of what is written is that file.
 MatrixPlace matrix_place(const std::filesystem::path& written);
 
-/// The one meant. @throws Unreadable where there are several and none is chosen, or none of that name, with the names
-/// that there are
+/// @throws Unreadable where it is no matrix of real numbers
+void require_fit(const NamedMatrix& matrix, const std::filesystem::path& file);
+/// The one meant; of several the only one of real numbers. @throws Unreadable where there are several and none is
+/// chosen, or none of that name, with the names that there are
 NamedMatrix chosen_matrix(std::vector<NamedMatrix> all, const MatrixPlace& place);
 
 }  // namespace gyromode

@@ -29,8 +29,9 @@ std::string_view value_of(std::string_view header, std::string_view key, const s
 }
 
 struct Header {
-  char endian = '<', kind = 'f';
-  std::size_t size = 8;  // bytes
+  char endian = '<', kind = 'O';  // f, i, u, b, c, …; O: records or objects
+  std::size_t size = 8;           // bytes
+  std::size_t dimensions = 2;
   bool column_major = false;
   Index rows = 0, columns = 1;
   std::string_view content;
@@ -64,18 +65,20 @@ Header header_of(std::string_view bytes, const std::filesystem::path& name) {
   Header h;
   h.content = bytes.substr(first + length);
   const std::string_view type = value_of(text, "descr", name);
-  if (type.size() < 5 || type.front() != '\'')
-    fail(name, "the NumPy array holds records or objects: an array of real numbers was expected");
+  if (type.size() < 5 || type.front() != '\'') return h;
   h.endian = type[1];
   h.kind = type[2];
   h.size = 0;
   for (const char c : type.substr(3, type.size() - 4)) {
-    if (c < '0' || c > '9' || h.size > 99) fail(name, fmt::format("'{}' is no type of real numbers", type));
+    if (c < '0' || c > '9' || h.size > 99) {  // of dates and the like
+      h.kind = 'V';
+      return h;
+    }
     h.size = 10 * h.size + static_cast<std::size_t>(c - '0');
   }
   h.column_major = value_of(text, "fortran_order", name).starts_with("True");
   const std::vector<Index> shape = shape_of(value_of(text, "shape", name), name);
-  if (shape.size() > 2) fail(name, fmt::format("the NumPy array has {} dimensions: a matrix was expected", shape.size()));
+  h.dimensions = shape.size();
   h.rows = shape.empty() ? 1 : shape[0];
   h.columns = shape.size() == 2 ? shape[1] : 1;
   return h;
@@ -115,6 +118,13 @@ bool known_type(const Header& h) {
   return (h.kind == 'i' || h.kind == 'u') && (h.size == 1 || h.size == 2 || h.size == 4 || h.size == 8);
 }
 
+std::string why_unfit(const Header& h) {
+  if (h.kind == 'O') return "holds records or objects";
+  if (h.kind == 'c') return "is complex";
+  if (!known_type(h)) return fmt::format("is of type '{}{}'", h.kind, h.size);
+  return h.dimensions > 2 ? fmt::format("has {} dimensions", h.dimensions) : "";
+}
+
 }  // namespace
 
 bool is_npy(std::string_view bytes) { return bytes.starts_with(magic); }
@@ -122,8 +132,8 @@ bool is_npy(std::string_view bytes) { return bytes.starts_with(magic); }
 Matrix parse_npy(std::string_view bytes, const std::filesystem::path& name, std::optional<Index> most) {
   if (!is_npy(bytes)) fail(name, "is no NumPy array");
   const Header h = header_of(bytes, name);
-  if (h.kind == 'c') fail(name, "the NumPy array is complex: a matrix of real numbers was expected");
-  if (!known_type(h)) fail(name, fmt::format("the NumPy array is of type '{}{}': real numbers were expected", h.kind, h.size));
+  if (const std::string why = why_unfit(h); !why.empty())
+    fail(name, fmt::format("the NumPy array {}: a matrix of real numbers was expected", why));
   const auto available = static_cast<Index>(h.content.size() / h.size);
   if (h.rows > 0 && h.columns > available / h.rows)
     fail(name, fmt::format("the NumPy array ends after {} of {} × {} numbers", available, h.rows, h.columns));
@@ -139,6 +149,8 @@ Matrix parse_npy(std::string_view bytes, const std::filesystem::path& name, std:
   }
   return a;
 }
+
+std::string unfit_npy(std::string_view bytes, const std::filesystem::path& name) { return why_unfit(header_of(bytes, name)); }
 
 std::string format_npy(const Matrix& a) {
   static_assert(std::endian::native == std::endian::little);

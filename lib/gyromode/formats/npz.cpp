@@ -127,7 +127,10 @@ std::vector<NamedMatrix> parse_npz(std::string_view bytes, const std::filesystem
   const auto arrays = arrays_of(bytes, name);
   if (arrays.count("format") && arrays.count("shape")) return {{name.stem().string(), Sparse(arrays, name, most).dense()}};
   std::vector<NamedMatrix> all;
-  for (const auto& [key, content] : arrays) all.push_back({key, parse_npy(content, name, most)});
+  for (const auto& [key, content] : arrays) {
+    const std::string unfit = is_npy(content) ? unfit_npy(content, name) : "is no NumPy array";
+    all.push_back({key, unfit.empty() ? parse_npy(content, name, most) : Matrix(), {}, unfit});
+  }
   if (all.empty()) fail(name, "is an archive without NumPy arrays: .npz was expected");
   return all;
 }

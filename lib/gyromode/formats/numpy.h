@@ -9,6 +9,9 @@ namespace gyromode::io {
 bool is_npy(std::string_view bytes);
 Matrix parse_npy(std::string_view bytes, const std::filesystem::path& name, std::optional<Index> most);
 
+/// Why it is no matrix of real numbers ("is complex"); empty where it is one.
+std::string unfit_npy(std::string_view bytes, const std::filesystem::path& name);
+
 /// A ZIP archive of them (.npz), stored or deflated; scipy.sparse's layout (csr, csc, coo, dia) is one matrix.
 bool is_npz(std::string_view bytes);
 std::vector<NamedMatrix> parse_npz(std::string_view bytes, const std::filesystem::path& name, std::optional<Index> most);

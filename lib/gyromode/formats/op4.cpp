@@ -1,6 +1,8 @@
 // Format: MSC Nastran DMAP Programmer's Guide, module OUTPUT4. A column is a record (column, first row, words) with the
 // values below that row; where the first row is 0 it holds strings, each with a header: L · 65536 + row, or with BIGMAT
-// (rows written negative) the two numbers L and row; L counts words and the header, 1 + words of the string.
+// (rows written negative) the two numbers L and row; L counts words and the header, 1 + words of the string. A word has
+// four bytes, in files of 64-bit integers eight, where every value is one word. In text files that Nastran writes dense
+// columns count values.
 #include "gyromode/base/number.h"
 #include "gyromode/formats/entries.h"
 #include "gyromode/formats/nastran.h"
@@ -13,6 +15,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <optional>
+#include <utility>
 
 namespace gyromode::io {
 
@@ -21,10 +25,9 @@ namespace {
 struct Header {
   Index columns = 0, rows = 0;
   int type = 2;  // 1 single, 2 double
-  bool big = false;
+  bool big = false, complex = false;
   std::string name;
-
-  Index words() const { return type; }  // a value takes, of 4 bytes
+  Index words = 2;  // a value takes
 };
 
 [[noreturn]] void fail(const std::filesystem::path& name, std::size_t line, const std::string& message) {
@@ -36,9 +39,10 @@ Header header_of(Index columns, Index rows, Index type, std::string_view written
   h.columns = columns;
   h.big = rows < 0;
   h.rows = std::abs(rows);
-  if (type == 3 || type == 4) fail(name, line, "the matrix is complex: a real one was expected");
-  if (type != 1 && type != 2) fail(name, line, fmt::format("type {} of the matrix: 1 or 2 (real, single or double) was expected", type));
-  h.type = static_cast<int>(type);
+  if (type < 1 || type > 4) fail(name, line, fmt::format("type {} of the matrix: 1 or 2 (real, single or double) was expected", type));
+  h.complex = type > 2;
+  h.type = type == 2 ? 2 : 1;
+  h.words = h.type;
   for (const char c : written) {
     if (c > ' ') h.name += c;
   }
@@ -56,7 +60,7 @@ void read_column(Source& from, const Header& h, Index column, Index first, Index
       if (value != 0) entries.add(row - 1 + k, column - 1, value);
     }
   };
-  if (first > 0) return put(first, words / h.words());
+  if (first > 0) return put(first, from.values_of(words, h, first));
   for (Index left = words; left > 0;) {
     Index length = 0, row = 0;
     if (h.big) {
@@ -71,7 +75,7 @@ void read_column(Source& from, const Header& h, Index column, Index first, Index
     }
     if (length < 1 || length > left)
       from.fail(fmt::format("a string of {} words in column {}, of which {} are left", length, column, left));
-    put(row, length / h.words());
+    put(row, length / h.words);
     left -= length;
     from.end_of_string();
   }
@@ -102,14 +106,43 @@ class TextSource {
     if (!value) fail(fmt::format("'{}' where a whole number eight columns wide was expected", shown(text)));
     return *value;
   }
-  Index whole() {  // a header of a string: a line of its own, with BIGMAT of two numbers
-    if (at_whole_ == 0) whole_line_ = line("the header of a string");
-    const Index value = field(whole_line_, at_whole_);
-    at_whole_ =
-        whole_line_.size() > 8 * (at_whole_ + 1) && whole_line_.find_first_not_of(' ', 8 * (at_whole_ + 1)) != std::string_view::npos
-            ? at_whole_ + 1
-            : 0;
-    return value;
+  // The header of a string is a line of its own: one number of up to twelve columns, with BIGMAT two of eight.
+  Index whole() {
+    if (pending_) return *std::exchange(pending_, std::nullopt);
+    const std::string_view l = line("the header of a string");
+    const std::size_t first = l.find_first_not_of(' '), blank = first == std::string_view::npos ? first : l.find(' ', first);
+    const bool one = blank == std::string_view::npos || l.find_first_not_of(' ', blank) == std::string_view::npos;
+    if (!one) {
+      pending_ = field(l, 1);
+      return field(l, 0);
+    }
+    const auto value = first == std::string_view::npos ? std::nullopt : whole_number(l.substr(first, blank - first));
+    if (!value) fail(fmt::format("'{}' where the header of a string was expected", shown(l)));
+    return *value;
+  }
+  // Of a dense column of so many words in double precision: as many values as its lines hold, all of them or half.
+  Index values_of(Index words, const Header& h, Index) const {
+    if (h.type == 1) return words;
+    std::string_view rest = rest_;
+    Index values = 0;
+    while (values < words && !rest.empty()) {
+      std::string_view l = rest.substr(0, rest.find('\n'));
+      rest.remove_prefix(std::min(l.size() + 1, rest.size()));
+      while (!l.empty() && (l.back() == ' ' || l.back() == '\r')) l.remove_suffix(1);
+      if (l.find('.') == std::string_view::npos) break;  // the next column
+      const auto width = static_cast<std::size_t>(format_.width);
+      values += std::min<Index>(format_.count, static_cast<Index>((l.size() + width - 1) / width));
+    }
+    return values >= words ? words : words / 2;
+  }
+  // Lines up to the value that closes the matrix.
+  void skip(const Header& h) {
+    for (;;) {
+      const std::string_view l = line("a column, or the column after the last,");
+      if (l.find('.') != std::string_view::npos || l.size() < 24) continue;
+      if (field(l, 0) > h.columns) break;
+    }
+    line("the value that closes the matrix");
   }
   double value(int) {
     const auto width = static_cast<std::size_t>(format_.width);
@@ -127,22 +160,36 @@ class TextSource {
   void end_of_string() { at_ = 0; }
 
  private:
-  std::string_view rest_, values_, whole_line_;
+  std::string_view rest_, values_;
   const std::filesystem::path& name_;
-  std::size_t number_ = 0, at_whole_ = 0;
+  std::size_t number_ = 0;
+  std::optional<Index> pending_;
   FortranFormat format_;
   int at_ = 0;
 };
+
+// Behind the name.
+std::optional<FortranFormat> values_format(std::string_view header) {
+  std::string_view written = header.size() > 40 ? header.substr(40) : std::string_view("1P,5E16.9");
+  while (!written.empty() && (written.back() == ' ' || written.back() == '\r')) written.remove_suffix(1);
+  return fortran_format(fmt::format("({})", written));
+}
 
 NamedMatrix read_text_matrix(TextSource& from, const std::filesystem::path& name, std::optional<Index> most) {
   const std::string_view first = from.line("the header of a matrix");
   const Header h =
       header_of(from.field(first, 0), from.field(first, 1), from.field(first, 3), first.size() > 32 ? first.substr(32, 8) : "", name, 1);
-  std::string_view written = first.size() > 40 ? first.substr(40) : std::string_view("1P,5E16.9");
-  while (!written.empty() && written.back() == ' ') written.remove_suffix(1);
-  const auto format = fortran_format(fmt::format("({})", written));
-  if (!format) from.fail(fmt::format("the format of values is '{}': one such as 1P,3E23.16 was expected", shown(written)));
+  const auto format = values_format(first);
+  if (!format) {
+    const std::string_view written = first.substr(40);
+    from.fail(fmt::format("the format of values is '{}': one such as 1P,3E23.16 was expected",
+                          shown(written.substr(0, written.find_last_not_of(' ') + 1))));
+  }
   from.format(*format);
+  if (h.complex) {
+    from.skip(h);
+    return {h.name, {}, {}, "is complex"};
+  }
   Entries entries(name, most);
   entries.require_size(h.rows, h.columns, h.rows * std::min<Index>(h.columns, 1 << 20));
   for (;;) {
@@ -163,10 +210,16 @@ NamedMatrix read_text_matrix(TextSource& from, const std::filesystem::path& name
   return {h.name, entries.dense(h.rows, h.columns, 0), {}};
 }
 
+// What a binary file is made of, by the length of its first record.
+struct ByteOrder {
+  bool swapped = false;  // the other endian
+  bool wide = false;     // whole numbers of eight bytes
+};
+
 // Fortran records: their length, four bytes, before and behind.
 class BinarySource {
  public:
-  BinarySource(std::string_view bytes, bool swapped, const std::filesystem::path& name) : bytes_(bytes), swapped_(swapped), name_(name) {}
+  BinarySource(std::string_view bytes, ByteOrder order, const std::filesystem::path& name) : bytes_(bytes), order_(order), name_(name) {}
 
   bool over() const { return at_ >= bytes_.size(); }
   [[noreturn]] void fail(const std::string& message) const { io::fail(name_, 0, fmt::format("{} (before byte {})", message, at_)); }
@@ -181,9 +234,11 @@ class BinarySource {
     at_ = end_;
     if (number<std::int32_t>() != length) fail("a record does not end as it began");
   }
-  Index whole() { return number<std::int32_t>(); }
+  Index whole() { return order_.wide ? static_cast<Index>(number<std::int64_t>()) : number<std::int32_t>(); }
+  Index values_of(Index words, const Header& h, Index) const { return words / h.words; }
+  bool wide() const { return order_.wide; }
   double value(int type) {
-    const double v = type == 2 ? number<double>() : static_cast<double>(number<float>());
+    const double v = type == 2 || order_.wide ? number<double>() : static_cast<double>(number<float>());
     if (!std::isfinite(v)) fail("a value is not finite");
     return v;
   }
@@ -204,7 +259,7 @@ class BinarySource {
     require(sizeof(T));
     char b[sizeof(T)];
     std::memcpy(b, bytes_.data() + at_, sizeof(T));
-    if (swapped_) {
+    if (order_.swapped) {
       for (std::size_t k = 0; k < sizeof(T) / 2; ++k) std::swap(b[k], b[sizeof(T) - 1 - k]);
     }
     at_ += sizeof(T);
@@ -214,39 +269,46 @@ class BinarySource {
   }
 
   std::string_view bytes_;
-  bool swapped_;
+  ByteOrder order_;
   const std::filesystem::path& name_;
   std::size_t at_ = 0, end_ = 0;
 };
 
 NamedMatrix read_binary_matrix(BinarySource& from, const std::filesystem::path& name, std::optional<Index> most) {
   const Index length = from.open();
-  if (length != 24) from.fail(fmt::format("a header of {} bytes: 24 were expected", length));
+  const Index expected = from.wide() ? 48 : 24;
+  if (length != expected) from.fail(fmt::format("a header of {} bytes: {} were expected", length, expected));
   const Index columns = from.whole(), rows = from.whole();
   from.whole();  // the form
   const Index type = from.whole();
-  const Header h = header_of(columns, rows, type, from.text(8), name, 0);
+  Header h = header_of(columns, rows, type, from.text(from.wide() ? 16 : 8), name, 0);
+  if (from.wide()) h.words = 1;
   from.close(length);
   Entries entries(name, most);
-  entries.require_size(h.rows, h.columns, h.rows * std::min<Index>(h.columns, 1 << 20));
+  if (!h.complex) entries.require_size(h.rows, h.columns, h.rows * std::min<Index>(h.columns, 1 << 20));
   for (;;) {
     const Index record = from.open();
     const Index column = from.whole(), row = from.whole(), words = from.whole();
     if (column < 1 || row < 0 || words < 0) from.fail(fmt::format("column {}, row {}, {} words", column, row, words));
-    if (column <= h.columns) read_column(from, h, column, row, words, entries);
+    if (column <= h.columns && !h.complex) read_column(from, h, column, row, words, entries);
     from.close(record);
     if (column > h.columns) break;
   }
+  if (h.complex) return {h.name, {}, {}, "is complex"};
   return {h.name, entries.dense(h.rows, h.columns, 0), {}};
 }
 
-// A first record of 24 bytes: 0 of neither endian, 1 of this machine's, −1 of the other.
-int binary_order(std::string_view bytes) {
-  if (bytes.size() < 32) return 0;
+// By a first record of 24 bytes, or 48 with wide numbers; nothing where it has another length.
+std::optional<ByteOrder> binary_order(std::string_view bytes) {
+  if (bytes.size() < 32) return std::nullopt;
   std::uint32_t first = 0;
   std::memcpy(&first, bytes.data(), 4);
-  if (first == 24) return 1;
-  return first == 24u << 24 ? -1 : 0;
+  for (const std::uint32_t length : {24U, 48U}) {
+    for (const bool swapped : {false, true}) {
+      if (first == (swapped ? length << 24 : length)) return ByteOrder{swapped, length == 48};
+    }
+  }
+  return std::nullopt;
 }
 
 bool is_text(std::string_view bytes) {
@@ -256,17 +318,17 @@ bool is_text(std::string_view bytes) {
     if (!(line[k] == ' ' || line[k] == '-' || (line[k] >= '0' && line[k] <= '9'))) return false;
   }
   return line.substr(0, 8).find_first_of("0123456789") != std::string_view::npos && line[7] != ' ' && line[15] != ' ' && line[23] != ' ' &&
-         line[31] != ' ' && std::isalpha(static_cast<unsigned char>(line[32])) != 0;
+         line[31] != ' ' && (std::isalpha(static_cast<unsigned char>(line[32])) != 0 || (line.size() > 40 && values_format(line)));
 }
 
 }  // namespace
 
-bool is_op4(std::string_view bytes) { return binary_order(bytes) != 0 || is_text(bytes); }
+bool is_op4(std::string_view bytes) { return binary_order(bytes) || is_text(bytes); }
 
 std::vector<NamedMatrix> parse_op4(std::string_view bytes, const std::filesystem::path& name, std::optional<Index> most) {
   std::vector<NamedMatrix> all;
-  if (const int order = binary_order(bytes); order != 0) {
-    for (BinarySource from(bytes, order < 0, name); !from.over();) all.push_back(read_binary_matrix(from, name, most));
+  if (const auto order = binary_order(bytes)) {
+    for (BinarySource from(bytes, *order, name); !from.over();) all.push_back(read_binary_matrix(from, name, most));
   } else {
     for (TextSource from(bytes, name); !from.over();) all.push_back(read_text_matrix(from, name, most));
   }

@@ -130,7 +130,10 @@ Model read_matrices(const MatrixFiles& files, const Admission& admission) {
     const std::string bytes = read_bytes(files.container, "matrix");
     digest.add(bytes);
     const std::vector<NamedMatrix> all = parse_matrices(bytes, files.container, most_coordinates);
-    const auto take = [&](const NamedMatrix* one) { return one ? std::optional(Sourced{*one, files.container}) : std::nullopt; };
+    const auto take = [&](const NamedMatrix* one) {
+      if (one) require_fit(*one, files.container);
+      return one ? std::optional(Sourced{*one, files.container}) : std::nullopt;
+    };
     m = take(found(all, files.mass_name, mass_names, "M", files.container));
     g = take(found(all, files.gyroscopic_name, gyroscopic_names, "G", files.container));
     k = take(found(all, files.stiffness_name, stiffness_names, "K", files.container));
@@ -139,7 +142,8 @@ Model read_matrices(const MatrixFiles& files, const Admission& admission) {
           files.container,
           fmt::format("holds no mass matrix that is known by its name: it has {}; --names M=NAME,G=NAME,K=NAME was expected", listed(all)));
     for (const NamedMatrix& one : all) {
-      if (called(one.name, damping_names) && one.name != files.gyroscopic_name && one.matrix.cwiseAbs().maxCoeff() > 0)
+      if (called(one.name, damping_names) && one.name != files.gyroscopic_name && one.matrix.size() > 0 &&
+          one.matrix.cwiseAbs().maxCoeff() > 0)
         throw LawBroken(
             files.container, 0, 0,
             fmt::format("holds a damping matrix '{}' that is not 0: damping is not served; leave it out for the undamped modes, or name it "
