@@ -36,6 +36,7 @@ void ModelSource::add_to(CLI::App& verb) {
   verb.add_option("--stiffness", stiffness, "Stiffness matrix K, likewise")->type_name("FILE");
   verb.add_option("--matrices", container, "One file with M, G, K: .mat, .npz, DMIG, OP4")->type_name("FILE");
   verb.add_option("--names", names, "What they are called there: M=Mass,G=Gyro,K=Stiff")->type_name("M=NAME,…")->delimiter(',');
+  verb.add_option("--labels", labels, "Names of the coordinates of such matrices, one a line")->type_name("FILE");
   verb.add_option("--coupling-tolerance", coupling_tolerance,
                   "Couplings up to this fraction of the largest entry of their matrix are left out (default 0: none are)")
       ->type_name("FRACTION")
@@ -98,8 +99,9 @@ Model ModelSource::read() const {
                                  "--matrices model.mat");
   }
   if (!names.empty() && container.empty()) throw UsageError("--names goes with --matrices");
+  if (!labels.empty() && !model.empty()) throw UsageError("--labels goes with matrix files; a model file has the key labels");
   if (!model.empty()) return located([&](const auto&) { return model; }, [&] { return admitted(read_model(model, admission())); });
-  MatrixFiles files{mass, gyroscopic, stiffness, container, {}, {}, {}};
+  MatrixFiles files{mass, gyroscopic, stiffness, container, {}, {}, {}, labels};
   name_matrices(files);
   if (!container.empty())
     return located([&](const auto&) { return container; }, [&] { return admitted(read_matrices(files, admission())); });

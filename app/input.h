@@ -11,9 +11,9 @@
 
 namespace gyromode::app {
 
-/// Where a model comes from, a TOML file or three Matrix Market files, and what is asked of it at the door.
+/// Where a model comes from, a TOML file or matrix files, and what is asked of it at the door.
 struct ModelSource {
-  std::string model, mass, gyroscopic, stiffness, container;
+  std::string model, mass, gyroscopic, stiffness, container, labels;
   std::vector<std::string> names;
   double coupling_tolerance = 0;
   std::optional<std::string> symmetrise;
@@ -21,7 +21,7 @@ struct ModelSource {
 
   void add_to(CLI::App& verb);
   /// The files that are read.
-  std::vector<std::string> files() const { return {model, mass, gyroscopic, stiffness, container}; }
+  std::vector<std::string> files() const { return {model, mass, gyroscopic, stiffness, container, labels}; }
   /// The model as every verb sees it: read, and without the couplings that are to be left out.
   Model read() const;
   /// The same of a model already made: its system without those couplings. Throws NotApplicable for a spacecraft, whose

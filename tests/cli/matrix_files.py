@@ -52,6 +52,14 @@ refused("holds 3 matrices (G, K, M): one was expected, chosen as stored.npz:NAME
 refused("holds no mass matrix that is known by its name: it has K_csr", 2, "--matrices", "K_csr.npz")
 
 with tempfile.TemporaryDirectory() as folder:
+    names = pathlib.Path(folder) / "job.dof"
+    names.write_text("1.1\n1.2\n2.1\n")
+    check("labels", all(label in run("modes", "--matrices", "stored.npz", "--labels", names, "--shapes").stdout for label in ("1.1", "1.2", "2.1")), True)
+    refused("--labels goes with matrix files; a model file has the key labels", 1, source / "models" / "geos.toml", "--labels", names)
+    names.write_text("1.1\n1.2\n")
+    refused("job.dof: has 2 labels: 3 were expected, one a coordinate", 2, "--matrices", "stored.npz", "--labels", names)
+
+with tempfile.TemporaryDirectory() as folder:
     out = pathlib.Path(folder)
     model = source / "models" / "turned_rotor.toml"
     expected = frequencies(model)

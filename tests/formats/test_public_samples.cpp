@@ -170,6 +170,23 @@ TEST(NastranDmig, FreeFieldPartedByBlanks) {
   EXPECT_EQ(all[0].matrix, (Matrix{{29988, 149940}, {149940, 999600}}));
 }
 
+// *MATRIX OUTPUT, FORMAT=MATRIX INPUT and FORMAT=COORDINATE of Abaqus; .sti and .mas of CalculiX, one triangle.
+TEST(ListsOfEntries, AbaqusAndCalculix) {
+  EXPECT_EQ(parsed("1 1 10.\n2 1 -1\n2 2 2.05e1\n3 2 -1.25E-01\n3 3 30\n"), stiffness);
+  EXPECT_EQ(parsed("1 1 10.\n1 2 -1\n2 1 -1\n2 2 2.05e1\n2 3 -0.125\n3 2 -1.25E-01\n3 3 30\n"), stiffness);
+  EXPECT_EQ(parsed("1 2 1.5\n1 3 -2\n2 3 .25\n1 4 0\n"), (Matrix{{0, 1.5, -2, 0}, {-1.5, 0, .25, 0}, {2, -.25, 0, 0}, {0, 0, 0, 0}}));
+  const auto by_nodes = all_of("7,1, 7,1, 10.0\n7,2, 7,1, -1\n7,2, 7,2, 20.5\n9,3, 7,2, -0.125\n9,3, 9,3, 30\n");
+  EXPECT_EQ(by_nodes.front().matrix, stiffness);
+  EXPECT_EQ(by_nodes.front().labels, (Labels{"7.1", "7.2", "9.3"}));
+}
+
+TEST(ListsOfEntries, MatricesOfThreeAndFiveRowsStayMatrices) {
+  EXPECT_EQ(parsed("10 -1 0\n-1 20.5 -0.125\n0 -0.125 30\n"), stiffness);
+  EXPECT_EQ(parsed("1 2 3\n2 1 2\n3 2 1\n"), (Matrix{{1, 2, 3}, {2, 1, 2}, {3, 2, 1}}));
+  EXPECT_EQ(parsed("1 2 3\n2 1 4\n3 3 1\n"), (Matrix{{1, 2, 3}, {2, 1, 4}, {3, 3, 1}}));  // two of three not on the diagonal
+  EXPECT_EQ(parsed("1 1 4\n2 2 5\n3 3 6\n"), (Matrix{{4, 0, 0}, {0, 5, 0}, {0, 0, 6}}));  // no matrix that anybody has
+}
+
 // rua_32_file.txt: a title that begins with 1, right-hand sides behind, which are passed over.
 TEST(HarwellBoeingSamples, RightHandSidesArePassedOver) {
   EXPECT_EQ(parsed("1Real unsymmetric assembled matrix                                      RUA_3   \n"

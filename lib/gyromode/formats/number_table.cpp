@@ -2,6 +2,7 @@
 
 #include "gyromode/base/number.h"
 #include "gyromode/formats/entries.h"
+#include "gyromode/formats/entry_list.h"
 #include "gyromode/formats/text_file.h"
 
 #include <fmt/format.h>
@@ -76,10 +77,17 @@ NamedMatrix parse_number_table(std::string_view text, const std::filesystem::pat
     if (!rows.empty() && row.size() != rows.front().size())
       throw Unreadable(name, number, 0, fmt::format("{} numbers: {} were expected, as in the first row", row.size(), rows.front().size()));
     rows.push_back(std::move(row));
-    if (most && static_cast<Index>(std::max(rows.size(), rows.front().size())) > *most)
+    const std::size_t columns = rows.front().size();
+    if (most && columns != 3 && columns != 5 && static_cast<Index>(std::max(rows.size(), columns)) > *most)
       Entries(name, most).require_size(static_cast<Index>(rows.size()), static_cast<Index>(rows.front().size()), 1, number);
   }
   if (rows.empty()) throw Unreadable(name, "has no numbers: a matrix was expected");
+  if (!named_rows) {
+    if (auto list = entry_list(rows, name, most)) return std::move(*list);
+  }
+  Entries(name, most)
+      .require_size(static_cast<Index>(rows.size()), static_cast<Index>(rows.front().size()),
+                    static_cast<Index>(rows.size() * rows.front().size()));
   found.matrix.resize(static_cast<Index>(rows.size()), static_cast<Index>(rows.front().size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t j = 0; j < rows[i].size(); ++j) found.matrix(static_cast<Index>(i), static_cast<Index>(j)) = rows[i][j];

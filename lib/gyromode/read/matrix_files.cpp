@@ -5,6 +5,7 @@
 #include "gyromode/formats/text_file.h"
 #include "gyromode/models/family_parameters.h"
 #include "gyromode/models/model_kind.h"
+#include "gyromode/read/labels_file.h"
 #include "gyromode/read/read_model.h"
 #include "gyromode/system/laws.h"
 
@@ -161,6 +162,11 @@ Model read_matrices(const MatrixFiles& files, const Admission& admission) {
     if (s->matrix.matrix.rows() == n) continue;
     throw Unreadable(
         s->file, fmt::format("is {0} × {0}: the order of '{2}', {1} × {1}, was expected", s->matrix.matrix.rows(), n, m->file.string()));
+  }
+  if (!files.labels.empty()) {
+    m->matrix.labels = io::read_labels(files.labels);
+    if (static_cast<Index>(m->matrix.labels.size()) != n)
+      throw Unreadable(files.labels, fmt::format("has {} labels: {} were expected, one a coordinate", m->matrix.labels.size(), n));
   }
   SpinFamily family{std::move(m->matrix.matrix),
                     g ? std::move(g->matrix.matrix) : Matrix::Zero(n, n),

@@ -19,6 +19,8 @@
 #include <initializer_list>
 #include <iterator>
 #include <memory>
+#include <string_view>
+#include <unordered_set>
 
 namespace gyromode {
 
@@ -44,18 +46,32 @@ constexpr std::array<std::string_view, 10> first_order_keys{"parameters", "kind"
                                                             "labels",     "frame", "symmetrise", "inertia",   "gyroscopic"};
 constexpr std::array<std::string_view, 3> known_keys{"frequencies", "stability", "class"};
 
-// A matrix, square and of order n where n is known (0: not yet).
-std::optional<Matrix> matrix(const TomlTable& table, std::string_view key, Index& n, Digest& digest) {
+// What the matrices read so far agree on.
+struct Agreed {
+  Index n = 0;    // 0: none yet
+  Labels labels;  // of the rows of those that come from files with names
+};
+
+// A square matrix that fits those before it.
+std::optional<Matrix> matrix(const TomlTable& table, std::string_view key, Agreed& agreed, Digest& digest) {
   auto found = table.matrix(key, digest);
   if (!found) return std::nullopt;
-  const Matrix& a = *found;
+  Matrix& a = found->matrix;
   if (a.rows() != a.cols())
     table.fail(key, fmt::format("'{}' has {} rows and {} columns: a square matrix was expected", key, a.rows(), a.cols()));
-  if (n != 0 && a.rows() != n) {
-    table.fail(key, fmt::format("'{0}' is {1} × {1}: the order of the matrices before it, {2} × {2}, was expected", key, a.rows(), n));
+  if (agreed.n != 0 && a.rows() != agreed.n) {
+    table.fail(key,
+               fmt::format("'{0}' is {1} × {1}: the order of the matrices before it, {2} × {2}, was expected", key, a.rows(), agreed.n));
   }
-  n = a.rows();
-  return found;
+  agreed.n = a.rows();
+  if (!found->labels.empty()) {
+    if (!agreed.labels.empty() && found->labels != agreed.labels)
+      table.fail(key, fmt::format("the rows of '{}' have other names, or another order, than those of the matrices before it; one file of "
+                                  "all of them is brought to one order: gyromode convert --matrices FILE -o model.toml",
+                                  key));
+    agreed.labels = std::move(found->labels);
+  }
+  return std::move(a);
 }
 
 Matrix required(std::optional<Matrix> a, const TomlTable& table, std::string_view key) {
@@ -63,22 +79,23 @@ Matrix required(std::optional<Matrix> a, const TomlTable& table, std::string_vie
   return std::move(*a);
 }
 
-// Labels that the file gives must name every coordinate once.
-void require_fitting_labels(const TomlTable& table, const Labels& labels, Index n) {
-  if (labels.empty()) return;
+// Labels that the file gives, or a file that it names, must name every coordinate once; else those that its matrix
+// files have for their rows.
+Labels labels_of(const TomlTable& table, Labels labels, Index n, const Labels& of_matrices) {
+  if (!table.has("labels")) return static_cast<Index>(of_matrices.size()) == n ? of_matrices : Labels{};
   if (static_cast<Index>(labels.size()) != n)
     table.fail("labels", fmt::format("'labels' has {} names: {} were expected, one a coordinate", labels.size(), n));
+  std::unordered_set<std::string_view> seen;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i].empty()) table.fail("labels", fmt::format("label {} is empty: a name was expected", i + 1));
     if (has_control_character(labels[i])) {
       table.fail("labels", fmt::format("label {}, '{}', has a control character: a name that prints on one line was expected", i + 1,
                                        shown(labels[i])));
     }
-    if (std::find(labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(i), labels[i]) !=
-        labels.begin() + static_cast<std::ptrdiff_t>(i)) {
+    if (!seen.insert(labels[i]).second)
       table.fail("labels", fmt::format("label '{}' is given twice: different names were expected", shown(labels[i])));
-    }
   }
+  return labels;
 }
 
 // What is given from outside, widened by what the file asks for.
@@ -94,20 +111,21 @@ Admission admission_of(const TomlTable& table, Admission given) {
 std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, const Admission& given, std::optional<double>& spin,
                                                    Digest& digest) {
   table.allow_only(matrices_keys);
-  Labels labels = table.texts("labels");
-  Index n = 0;
-  Matrix mass = required(matrix(table, "mass", n, digest), table, "mass");
-  std::optional<Matrix> gyroscopic = matrix(table, "gyroscopic", n, digest);
-  std::optional<Matrix> stiffness = matrix(table, "stiffness", n, digest);
-  const std::optional<Matrix> per_spin = matrix(table, "gyroscopic_per_spin", n, digest);
-  const std::optional<Matrix> per_spin2 = matrix(table, "stiffness_per_spin2", n, digest);
+  Labels given_labels = table.texts_or_file("labels");
+  Agreed agreed;
+  Matrix mass = required(matrix(table, "mass", agreed, digest), table, "mass");
+  std::optional<Matrix> gyroscopic = matrix(table, "gyroscopic", agreed, digest);
+  std::optional<Matrix> stiffness = matrix(table, "stiffness", agreed, digest);
+  const std::optional<Matrix> per_spin = matrix(table, "gyroscopic_per_spin", agreed, digest);
+  const std::optional<Matrix> per_spin2 = matrix(table, "stiffness_per_spin2", agreed, digest);
   spin = table.frequency("spin");
   if (spin && !per_spin && !per_spin2) {
     table.fail("spin", "'spin' has nothing to act on: 'gyroscopic_per_spin' or 'stiffness_per_spin2' was expected beside it");
   }
   if (!spin && per_spin) table.fail("gyroscopic_per_spin", "'gyroscopic_per_spin' needs 'spin' = a frequency");
   if (!spin && per_spin2) table.fail("stiffness_per_spin2", "'stiffness_per_spin2' needs 'spin' = a frequency");
-  require_fitting_labels(table, labels, n);
+  const Index n = agreed.n;
+  Labels labels = labels_of(table, std::move(given_labels), n, agreed.labels);
   Matrix g = gyroscopic ? std::move(*gyroscopic) : Matrix::Zero(n, n);
   Matrix k = stiffness ? std::move(*stiffness) : Matrix::Zero(n, n);
   const Admission admission = admission_of(table, given);
@@ -118,11 +136,11 @@ std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, const
 
 std::shared_ptr<const ModelKind> read_first_order(const TomlTable& table, const Admission& given, std::optional<double>&, Digest& digest) {
   table.allow_only(first_order_keys);
-  Labels labels = table.texts("labels");
-  Index n = 0;
-  Matrix inertia = required(matrix(table, "inertia", n, digest), table, "inertia");
-  Matrix g = required(matrix(table, "gyroscopic", n, digest), table, "gyroscopic");
-  require_fitting_labels(table, labels, n);
+  Labels given_labels = table.texts_or_file("labels");
+  Agreed agreed;
+  Matrix inertia = required(matrix(table, "inertia", agreed, digest), table, "inertia");
+  Matrix g = required(matrix(table, "gyroscopic", agreed, digest), table, "gyroscopic");
+  Labels labels = labels_of(table, std::move(given_labels), agreed.n, agreed.labels);
   return std::make_shared<FirstOrderModel>(
       FirstOrderSystem(std::move(inertia), std::move(g), std::move(labels), admission_of(table, given)));
 }

@@ -27,8 +27,9 @@ struct MatrixFiles {
   std::filesystem::path container;   ///< instead of the three
   /// In the container: for M, G, K. Empty: what people call them (M, mass, MAAX, …)
   std::string mass_name;
-  std::string gyroscopic_name;  ///< likewise
-  std::string stiffness_name;   ///< likewise
+  std::string gyroscopic_name;   ///< likewise
+  std::string stiffness_name;    ///< likewise
+  std::filesystem::path labels;  ///< names of the coordinates, one a line; empty: those of the matrix files, or q1 … qn
 };
 
 /// A model from matrix files. Matrices whose rows are named there (DMIG) are brought to one order by those names.

@@ -5,6 +5,7 @@
 #include "gyromode/base/nearest.h"
 #include "gyromode/formats/text_file.h"
 #include "gyromode/read/formulas.h"
+#include "gyromode/read/labels_file.h"
 #include "gyromode/read/toml_text.h"
 #include "gyromode/system/laws.h"
 
@@ -158,11 +159,14 @@ std::optional<std::string> TomlTable::text(std::string_view key) const {
   return node->value<std::string>();
 }
 
-std::vector<std::string> TomlTable::texts(std::string_view key) const {
+bool TomlTable::has(std::string_view key) const { return content_->table.get(key) != nullptr; }
+
+std::vector<std::string> TomlTable::texts_or_file(std::string_view key) const {
   std::vector<std::string> all;
   const toml::node* node = content_->table.get(key);
   if (!node) return all;
-  if (!node->is_array()) fail(key, fmt::format("'{}' is {}: an array of strings was expected", key, type_word(*node)));
+  if (node->is_string()) return read_labels(content_->file.parent_path() / *node->value<std::string>());
+  if (!node->is_array()) fail(key, fmt::format("'{}' is {}: an array of strings, or a file of them, was expected", key, type_word(*node)));
   for (const toml::node& item : *node->as_array()) {
     if (!item.is_string()) fail_at(content_->file, item, fmt::format("an item of '{}' is {}: a string was expected", key, type_word(item)));
     all.push_back(*item.value<std::string>());
@@ -268,10 +272,11 @@ std::optional<TomlTable> TomlTable::table(std::string_view key) const {
   return TomlTable(std::make_shared<const Content>(content_->part(*node->as_table())));
 }
 
-std::optional<Matrix> TomlTable::matrix(std::string_view key, Digest& digest) const {
+std::optional<NamedMatrix> TomlTable::matrix(std::string_view key, Digest& digest) const {
   const toml::node* node = content_->table.get(key);
   if (!node) return std::nullopt;
-  if (const auto* rows = node->as_array()) return inline_rows(content_->file, *rows, key, *content_->formulas);
+  if (const auto* rows = node->as_array())
+    return NamedMatrix{std::string(key), inline_rows(content_->file, *rows, key, *content_->formulas)};
   if (!node->is_string()) fail(key, fmt::format("'{}' is {}: a matrix file or rows of numbers was expected", key, type_word(*node)));
   const std::string written = *node->value<std::string>();
   const MatrixPlace place = matrix_place(content_->file.parent_path() / written);
@@ -280,7 +285,7 @@ std::optional<Matrix> TomlTable::matrix(std::string_view key, Digest& digest) co
     fail(key, fmt::format("'{}' names '{}', which does not exist: a matrix file was expected", key, shown(written)));
   const std::string bytes = read_bytes(place.file, "matrix");
   digest.add(bytes);
-  return chosen_matrix(parse_matrices(bytes, place.file, most_coordinates), place).matrix;
+  return chosen_matrix(parse_matrices(bytes, place.file, most_coordinates), place);
 }
 
 void TomlTable::fail(std::string_view key, const std::string& message) const {

@@ -4,6 +4,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/base/quantity.h"
 #include "gyromode/base/types.h"
+#include "gyromode/formats/matrix_file.h"
 #include "gyromode/models/parameters.h"
 #include "gyromode/system/laws.h"
 
@@ -34,7 +35,10 @@ class TomlTable {
   void allow_only(std::span<const std::string_view> keys) const;
 
   std::optional<std::string> text(std::string_view key) const;
-  std::vector<std::string> texts(std::string_view key) const;   ///< empty for a missing key
+  bool has(std::string_view key) const;
+  /// An array of strings, or the file of labels that a string names, relative to the folder of the model; empty for a
+  /// missing key.
+  std::vector<std::string> texts_or_file(std::string_view key) const;
   std::vector<double> numbers(std::string_view key) const;      ///< finite; empty for a missing key
   std::optional<double> number(std::string_view key) const;     ///< finite
   std::optional<double> frequency(std::string_view key) const;  ///< rad/s; a number or a string with a unit
@@ -47,8 +51,8 @@ class TomlTable {
   std::optional<TomlTable> table(std::string_view key) const;
   std::vector<TomlTable> tables(std::string_view key) const;  ///< [[key]], in order; empty for a missing key
   /// A matrix file of any format that is read ("K.mtx", "model.mat:K"), whose bytes are added to the digest; rows of
-  /// finite numbers; or a list of them, the diagonal.
-  std::optional<Matrix> matrix(std::string_view key, Digest& digest) const;
+  /// finite numbers; or a list of them, the diagonal. With the labels of its rows where the file has some.
+  std::optional<NamedMatrix> matrix(std::string_view key, Digest& digest) const;
 
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;  ///< at the value of a key
   [[noreturn]] void fail(const std::string& message) const;                        ///< at the table
