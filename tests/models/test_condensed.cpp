@@ -114,6 +114,51 @@ TEST(Condensed, RepairsAreTold) {
   EXPECT_EQ(model_of(w).structure().repairs.size(), 1U);
 }
 
+// Departures in K or in the massive part of G, of K of any index: what is stated against the roots of the whole as
+// given, in 100 digits.
+TEST(Condensed, EffectOfRepairs) {
+  Source source{std::mt19937_64(11)};
+  double least = 1e300, most = 0;
+  int compared = 0;
+  for (int draw = 0; draw < 120; ++draw) {
+    const Index n = source.integer(3, 7), s = source.integer(1, n / 2);
+    Whole w = whole(source, n, s, static_cast<double>(source.integer(-2, 2)));
+    if (draw % 4 == 3) w.k -= 0.6 * w.m;  // of some index
+    Matrix& changed = draw % 2 == 0 ? w.k : w.g;
+    const double size = std::pow(10, -9 - draw % 5);
+    for (Index i = 0; i < n; ++i) {
+      for (Index j = 0; j < n; ++j) {
+        const bool none = i == j || (draw % 2 == 1 && (w.m(i, i) == 0 || w.m(j, j) == 0));
+        if (!none) changed(i, j) += size * changed.cwiseAbs().maxCoeff() * source.gaussian(1, 1)(0, 0);
+      }
+    }
+    w.massless.clear();
+    const ModesResult r = Model(SpinFamily{w.m, w.g, Matrix::Zero(n, n), w.k, {}, {}, {.symmetrise = 1e-6}}, 0.0).modes();
+    ASSERT_EQ(r.repairs.size(), 1U);
+    double truth = 0;
+    for (const Mode& m : r.modes) truth = std::max(truth, reference::moved_by_asymmetry(w.m, w.g, w.k, Complex(0, m.omega)));
+    for (const UnstableMode& u : r.unstable)
+      truth = std::max(truth, reference::moved_by_asymmetry(w.m, w.g, w.k, Complex(u.growth_rate, u.omega)));
+    const double stated = r.repairs.front().largest_effect.value_or(-1);
+    EXPECT_GE(stated, truth) << draw;
+    EXPECT_LE(stated, 10 * truth) << draw;
+    least = std::min(least, stated / truth);
+    most = std::max(most, stated / truth);
+    ++compared;
+  }
+  std::printf("%d compared, stated / true from %.9f to %.9f\n", compared, least, most);
+}
+
+// The massless coordinate alone brings what is of second order: K departs between it and the mass.
+TEST(Condensed, RepairsOfSecondOrderByMasslessCoordinates) {
+  for (const double n : {1e-4, 1e-7}) {
+    const Matrix m{{1, 0}, {0, 0}}, g = Matrix::Zero(2, 2), k{{4, n}, {-n, 5}};
+    const ModesResult r = Model(SpinFamily{m, g, g, k, {}, {}, {.symmetrise = 1e-3}}, 0.0).modes();
+    ASSERT_EQ(r.repairs.size(), 1U);
+    EXPECT_NEAR(r.repairs.front().largest_effect.value_or(-1), n * n / 20, 2e-3 * n * n / 20);  // ω² = 4 + n²/5
+  }
+}
+
 std::string said_of(const Whole& w) {
   try {
     model_of(w);

@@ -3,6 +3,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/lapack/small.h"
 #include "gyromode/models/response_facts.h"
+#include "gyromode/modes/condensed.h"
 #include "gyromode/modes/shape.h"
 #include "gyromode/stability/stability_margin.h"
 #include "gyromode/structure/inertia_of_k.h"
@@ -78,8 +79,6 @@ ModesResult CondensedModel::expanded(ModesResult r, bool with_shapes) const {
     for (UnstableMode& u : r.unstable) u.shape.resize(0);
   }
   to_all(r.structure);
-  r.repairs = c_.repairs;
-  r.withhold_doubtful_verdict();
   r.solver += fmt::format("; {} of {} coordinates have no mass and follow the others", c_.massless.size(), c_.labels.size());
   return r;
 }
@@ -92,7 +91,7 @@ ModesResult CondensedModel::modes(const ModesOptions& options) const {
   }
   ModesOptions with_shapes = options;
   with_shapes.shapes = true;
-  return expanded(find_modes(c_.reduced, with_shapes), options.shapes);
+  return expanded(find_modes(c_, with_shapes), options.shapes);
 }
 
 CountResult CondensedModel::count(const Window& window) const { return count_modes(c_.reduced, window); }

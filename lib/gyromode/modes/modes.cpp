@@ -2,6 +2,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/modes/answer.h"
+#include "gyromode/modes/condensed.h"
 #include "gyromode/modes/keep.h"
 #include "gyromode/modes/matrix_spectrum.h"
 #include "gyromode/modes/repair_effects.h"
@@ -32,14 +33,15 @@ std::vector<Index> positions_of(const Labels& chosen, const Labels& all) {
   return positions;
 }
 
-template <class AnySystem>
-ModesResult answered(const AnySystem& system, const ModesOptions& options) {
+// `of_whole`: the condensation that the system is from, for state_effects().
+template <class AnySystem, class... OfWhole>
+ModesResult answered(const AnySystem& system, const std::vector<Repair>& repairs, const ModesOptions& options, OfWhole... of_whole) {
   const MatrixSpectrum spectrum(solve_components(system, options.method, options.progress));
   ModesResult r = modes_of(spectrum, options);
-  r.repairs = system.repairs();
+  r.repairs = repairs;
   if (!r.repairs.empty() && !r.coverage.interrupted) {
     options.progress.stage("effect of what was repaired");
-    state_effects(system, spectrum, r);
+    state_effects(system, spectrum, r, of_whole...);
   }
   r.withhold_doubtful_verdict();
   return r;
@@ -51,14 +53,25 @@ ModesResult find_modes(const System& system, const ModesOptions& options) {
   require_options(options);
   require_method(options.method);
   if (!options.keep.empty()) return find_modes_keeping(system, positions_of(options.keep, system.labels()), options);
-  return answered(system, options);
+  return answered(system, system.repairs(), options);
+}
+
+ModesResult find_modes(const Condensation& whole, const ModesOptions& options) {
+  require_options(options);
+  require_method(options.method);
+  const System& system = whole.reduced;
+  if (options.keep.empty()) return answered(system, whole.repairs, options, &whole);
+  ModesResult r = find_modes_keeping(system, positions_of(options.keep, system.labels()), options);
+  r.repairs = whole.repairs;
+  r.withhold_doubtful_verdict();
+  return r;
 }
 
 ModesResult find_modes(const FirstOrderSystem& system, const ModesOptions& options) {
   require_options(options);
   require_method(options.method);
   if (!options.keep.empty()) throw NotApplicable("--keep condenses M, G, K of second order; this model is of first order");
-  return answered(system, options);
+  return answered(system, system.repairs(), options);
 }
 
 }  // namespace gyromode

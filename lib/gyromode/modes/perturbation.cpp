@@ -44,6 +44,7 @@ Perturbation::Perturbation(const RootVectors& roots, const Repair& repair, bool 
                roots.parts().rightCols(roots.columns()).colwise().squaredNorm())
                   .cwiseSqrt()),
       place_(static_cast<std::size_t>(roots.columns()), -1) {
+  if (roots.whole()) of_massless_ = (*repair.dropped)(roots.whole()->massless, Eigen::all);
   form_products(chosen);
   std::set<Index> wanted(chosen.begin(), chosen.end());
   for (const Index i : chosen) {
@@ -111,10 +112,23 @@ std::vector<Index> Perturbation::near(Index i) const {
   return all;
 }
 
+// yᴴD C Dx / d, C the compliance at infinity: what roots at infinity add in second order.
+Complex Perturbation::by_massless(Index i) const {
+  if (!roots_.whole()) return 0;
+  const auto seen = [&](const VectorPlace& v) {
+    const Matrix& parts = roots_.parts();
+    const Vector re = of_massless_ * parts.col(v.column), im = of_massless_ * parts.col(roots_.columns() + v.column);
+    return ComplexVector(re + Complex(0, v.sign()) * im);
+  };
+  const RootPlace& r = roots_.root(i);
+  const ComplexVector right = seen(r.right), left = seen(r.left);
+  return parity_ * left.dot(roots_.whole()->compliance_at_infinity * right) / r.slope;
+}
+
 double Perturbation::moves(Index i, Complex by_others) const {
   const Complex lambda = roots_.root(i).lambda, p = power(lambda);
   const std::vector<Index> together = near(i);
-  Complex far = by_others;
+  Complex far = by_others + p * p * by_massless(i);
   std::size_t next = 1;  // of those together, the first of which is i
   for (Index k = 0; k < roots_.count(); ++k) {
     if (k == i) continue;

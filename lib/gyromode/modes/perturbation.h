@@ -27,6 +27,7 @@ class Perturbation {
   std::vector<Index> near(Index i) const;
   void form_products(const std::vector<Index>& chosen);
   Complex product(const VectorPlace& left, const VectorPlace& right) const;
+  Complex by_massless(Index i) const;
   Complex formed(const VectorPlace& left, const VectorPlace& right) const;
 
   const RootVectors& roots_;
@@ -37,6 +38,7 @@ class Perturbation {
   Vector length_;             // |x| of every column
   std::vector<Index> place_;  // of every column among those of products_, −1: not formed
   Index places_ = 0;          // columns formed
+  Matrix of_massless_;        // rows of D of massless coordinates
   Matrix products_;           // partsᵀ D (parts of the columns formed)
 };
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace gyromode {
 
@@ -23,10 +25,15 @@ struct Effect {
 // GᵀRG)Z, R what all other roots leave of K⁻¹. `DZ` are the dropped part's products with them.
 class ZeroModes {
  public:
-  ZeroModes(const System& s, const RootVectors& roots, Matrix shapes) : roots_(roots), z_(std::move(shapes)) {
+  /// `roots` may be those of a whole with massless coordinates; F is that of the system alone, too.
+  ZeroModes(const System& s, const RootVectors& of_system, const RootVectors& roots, const Matrix& shapes) : roots_(roots), z_(shapes) {
     if (none()) return;
-    const Matrix image = s.gyroscopic() * z_;
-    inertia_ = z_.transpose() * s.mass() * z_ + image.transpose() * roots_.compliance_times(image);
+    const Matrix image = s.gyroscopic() * shapes;
+    inertia_ = shapes.transpose() * s.mass() * shapes + image.transpose() * of_system.compliance_times(image);
+    const Condensation* whole = roots.whole();
+    if (!whole) return;
+    z_.resize(static_cast<Index>(whole->labels.size()), shapes.cols());
+    for (Index k = 0; k < shapes.cols(); ++k) z_.col(k) = whole->expanded(0, shapes.col(k).cast<Complex>()).real();
   }
 
   bool none() const { return z_.cols() == 0; }
@@ -82,10 +89,14 @@ void store(Repair& r, const Effect& e) {
 
 }  // namespace
 
-void state_effects(const System& system, const MatrixSpectrum& spectrum, ModesResult& result) {
+void state_effects(const System& system, const MatrixSpectrum& spectrum, ModesResult& result, const Condensation* whole) {
   const std::vector<Mode> oscillations = spectrum.oscillations();
-  const RootVectors roots(system, oscillations, spectrum.unstable());
-  const ZeroModes zero(system, roots, spectrum.zero_shapes());
+  const UnstableRoots unstable = spectrum.unstable();
+  const RootVectors of_system(system, oscillations, unstable);
+  const std::optional<RootVectors> of_whole =
+      whole ? std::optional<RootVectors>(std::in_place, system, oscillations, unstable, whole) : std::nullopt;
+  const RootVectors& roots = of_whole ? *of_whole : of_system;
+  const ZeroModes zero(system, of_system, roots, spectrum.zero_shapes());
   const std::vector<Index> listed = listed_roots(roots, oscillations, result);
   for (Repair& r : result.repairs) {
     const Perturbation p(roots, r, false, listed);
@@ -95,7 +106,9 @@ void state_effects(const System& system, const MatrixSpectrum& spectrum, ModesRe
     for (const Index i : listed) {
       const RootPlace& root = roots.root(i);
       const Mode* m = root.oscillation < 0 ? nullptr : &oscillations[static_cast<std::size_t>(root.oscillation)];
-      const Complex by_zero = m ? zero.on(r, dz, root.lambda, m->shape, root.slope, p.power(root.lambda)) : Complex(0);
+      const Complex by_zero =
+          m ? zero.on(r, dz, root.lambda, whole ? whole->expanded(root.lambda, m->shape) : m->shape, root.slope, p.power(root.lambda))
+            : Complex(0);
       effect.take(p.moves(i, by_zero), root.lambda.imag(), m ? m->error_bound : 0);
     }
     store(r, effect);

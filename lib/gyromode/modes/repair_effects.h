@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gyromode/modes/matrix_spectrum.h"
+#include "gyromode/system/condensation.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/system.h"
 
@@ -12,7 +13,9 @@ namespace gyromode {
 ///     diag(λ_k) + B,   B_kl = −y_kᴴΔ x_l / d_k   (theory (T15), (T16)):
 /// those that B brings together are solved as one block, all others enter in second order. Zero modes, where λ² is what
 /// moves, by the quadratic problem of their space.
-void state_effects(const System& system, const MatrixSpectrum& spectrum, ModesResult& result);
+/// Where the system is the condensed one of `whole`, the repairs are of the matrices of that: all of it in its
+/// coordinates, with what massless ones add in second order (roots at infinity).
+void state_effects(const System& system, const MatrixSpectrum& spectrum, ModesResult& result, const Condensation* whole = nullptr);
 void state_effects(const FirstOrderSystem& system, const MatrixSpectrum& spectrum, ModesResult& result);
 
 }  // namespace gyromode

@@ -12,12 +12,13 @@ VectorPlace RootVectors::store(const ComplexVector& x) {
 
 // N(jω) is Hermitian, so that y = x, and the slope is j times the form. λ, λ̄, −λ̄, −λ off the axis: the left vector of
 // one is the right vector of its mirror image in the imaginary axis.
-RootVectors::RootVectors(const System& s, const std::vector<Mode>& oscillations, const UnstableRoots& unstable)
-    : RootVectors(s.size(), static_cast<Index>(oscillations.size()) + 2 * unstable.count()) {
+RootVectors::RootVectors(const System& s, const std::vector<Mode>& oscillations, const UnstableRoots& unstable, const Condensation* whole)
+    : RootVectors(whole ? static_cast<Index>(whole->labels.size()) : s.size(),
+                  static_cast<Index>(oscillations.size()) + 2 * unstable.count(), whole) {
   const Complex j(0, 1);
   for (std::size_t k = 0; k < oscillations.size(); ++k) {
     const Mode& m = oscillations[k];
-    const VectorPlace x = store(m.shape);
+    const VectorPlace x = store(in_whole(j * m.omega, m.shape));
     roots_.push_back({j * m.omega, j * m.form, x, x, static_cast<Index>(k)});
     roots_.push_back({-j * m.omega, -j * m.form, x.conjugated(), x.conjugated(), -1});
   }
@@ -26,7 +27,7 @@ RootVectors::RootVectors(const System& s, const std::vector<Mode>& oscillations,
     const ComplexVector right = unstable.right.col(k), left = unstable.left.col(k);
     const Complex slope = left.dot((2.0 * lambda) * (s.mass() * right) + s.gyroscopic() * right);
     const Complex mirrored = right.dot((-2.0 * std::conj(lambda)) * (s.mass() * left) + s.gyroscopic() * left);
-    const VectorPlace x = store(right), y = store(left);
+    const VectorPlace x = store(in_whole(lambda, right)), y = store(in_whole(-std::conj(lambda), left));
     roots_.push_back({lambda, slope, x, y, -1});
     roots_.push_back({-std::conj(lambda), mirrored, y, x, -1});
     if (lambda.imag() == 0) continue;
@@ -36,7 +37,7 @@ RootVectors::RootVectors(const System& s, const std::vector<Mode>& oscillations,
 }
 
 RootVectors::RootVectors(const FirstOrderSystem& s, const std::vector<Mode>& oscillations, const Matrix& zero_shapes)
-    : RootVectors(s.size(), static_cast<Index>(oscillations.size()) + zero_shapes.cols()) {
+    : RootVectors(s.size(), static_cast<Index>(oscillations.size()) + zero_shapes.cols(), nullptr) {
   const Complex j(0, 1);
   for (std::size_t k = 0; k < oscillations.size(); ++k) {
     const Mode& m = oscillations[k];
@@ -64,7 +65,9 @@ Matrix RootVectors::compliance_times(const Matrix& v) const {
       coefficients(columns() + r.right.column, c) -= r.right.sign() * by.imag();
     }
   }
-  return lapack::multiply(parts_, coefficients);
+  Matrix product = lapack::multiply(parts_, coefficients);
+  if (whole_) product(whole_->massless, Eigen::all) += whole_->compliance_at_infinity * v(whole_->massless, Eigen::all);
+  return product;
 }
 
 }  // namespace gyromode

@@ -4,6 +4,7 @@
 #include "gyromode/base/rounding.h"
 #include "gyromode/lapack/small.h"
 #include "gyromode/lapack/symmetric.h"
+#include "gyromode/lapack/triangular.h"
 #include "gyromode/system/laws.h"
 #include "gyromode/system/scale.h"
 
@@ -107,12 +108,25 @@ std::optional<Condensation> condensation(const Matrix& mass, const Matrix& gyros
                      g_abs.transpose() * off * k_abs + k_abs.transpose() * off * g_abs;
   Matrix rounded_k = rounding_of(a.stiffness(m, m), k_sm.transpose(), follow) + k_abs.transpose() * off * k_abs;
 
+  // Not regular where M' is not.
+  const lapack::Cholesky mass_of_massive(a.mass(m, m));
+  const Matrix at_infinity = mass_of_massive.positive()
+                                 ? symmetric_part(small::inverse(Matrix(held + g_sm * mass_of_massive.solve(g_sm.transpose()))))
+                                 : Matrix(compliance);
   Labels kept;
   for (const Index i : m) kept.push_back(a.labels[static_cast<std::size_t>(i)]);
   System reduced(AdmittedMatrices{std::move(reduced_mass), std::move(reduced_g), std::move(reduced_k), std::move(kept), {}});
-  return Condensation{
-      std::move(a.labels),     std::move(m),         std::move(s),        std::move(reduced), std::move(a.repairs), follow, rate,
-      std::move(rounded_mass), std::move(rounded_g), std::move(rounded_k)};
+  return Condensation{std::move(a.labels),
+                      std::move(m),
+                      std::move(s),
+                      std::move(reduced),
+                      std::move(a.repairs),
+                      follow,
+                      rate,
+                      at_infinity,
+                      std::move(rounded_mass),
+                      std::move(rounded_g),
+                      std::move(rounded_k)};
 }
 
 }  // namespace gyromode

@@ -17,6 +17,8 @@ struct Condensation {
   System reduced;                        ///< M', G', K', with the labels of the massive ones
   std::vector<Repair> repairs;           ///< of the whole matrices, as given
   Matrix follow, follow_rate;            ///< F and R, massless × massive
+  /// (K_ss + G_smM_mm⁻¹G_smᵀ)⁻¹: what N(λ)⁻¹ of the whole is between massless coordinates as λ → ∞
+  Matrix compliance_at_infinity;
   /// What forming M', G', K' may have rounded, entry by entry: what rounding of K_ss⁻¹ and of the sums leaves.
   Matrix rounded_mass, rounded_gyroscopic, rounded_stiffness;
 
