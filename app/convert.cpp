@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 namespace gyromode::app {
@@ -17,7 +18,8 @@ namespace {
 
 struct Options {
   ModelSource source;
-  std::string target, format = "mtx";
+  std::string target;
+  std::optional<std::string> format;
   bool quiet = false;
   bool realified = false;
   bool transformation = false;
@@ -25,6 +27,8 @@ struct Options {
 };
 
 ExitCode run(const Options& o) {
+  if (o.format && !std::filesystem::path(o.target).extension().empty() && !std::filesystem::is_directory(o.target))
+    throw UsageError("--to is for the files of a folder: -o DIR; one file is written by its extension");
   if (o.transformation && !o.realified) throw UsageError("--transformation goes with --realified");
   Model model = o.source.read();
   if (model.body->matrices().empty())
@@ -36,7 +40,7 @@ ExitCode run(const Options& o) {
   };
   const Conversion all = converted(model, o.realified, o.transformation);
   say(all.remark);
-  const std::string written = write_matrices(all, model, o.target, o.format);
+  const std::string written = write_matrices(all, model, o.target, o.format.value_or("mtx"));
   if (model.ignored) say(in_words(*model.ignored));
   say(written);
   return ExitCode::done;

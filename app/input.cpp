@@ -85,6 +85,7 @@ void ModelSource::name_matrices(MatrixFiles& files) const {
                                        : nullptr;
     if (!name || equals == std::string::npos || equals + 1 == pair.size())
       throw UsageError(fmt::format("--names {}: M=NAME, G=NAME or K=NAME was expected, parted by commas", pair));
+    if (!name->empty()) throw UsageError(fmt::format("--names: {} is given twice", which));
     *name = pair.substr(equals + 1);
   }
 }

@@ -16,6 +16,7 @@
 #include "gyromode/motion/frequency_response.h"
 #include "gyromode/motion/response.h"
 #include "gyromode/read/read_model.h"
+#include "gyromode/rotor/rotor.h"
 #include "gyromode/spacecraft/spacecraft.h"
 #include "gyromode/stability/stability_map.h"
 #include "gyromode/structure/realify.h"

@@ -58,7 +58,7 @@ class Errors(Program):
         self.refused(2, ["2 × 2"], "modes", self.model('kind = "matrices"\nmass = [[1, 0], [0, 1]]\nstiffness = [[1]]\n'))
         self.refused(2, ["square"], "modes", self.model('kind = "matrices"\nmass = [[1, 0]]\nstiffness = [[1]]\n'))
         self.refused(2, ["key 'mass' is missing"], "modes", self.model('kind = "matrices"\nstiffness = [[1]]\n'))
-        self.refused(2, ["rotor"], "modes", self.model('kind = "rotor"\n'))
+        self.refused(2, ["turbine"], "modes", self.model('kind = "turbine"\n'))
         self.refused(2, ["mass.mtx:3", "abc"], "modes", *self.matrices("%%MatrixMarket matrix coordinate real general\n1 1 1\n1 1 abc\n", self.UNIT))
         self.refused(2, ["order"], "modes", *self.matrices("%%MatrixMarket matrix array real general\n1 1\n1\n", self.UNIT))
 

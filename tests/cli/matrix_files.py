@@ -51,6 +51,42 @@ refused("--names goes with --matrices", 1, "--mass", "M.npy", "--stiffness", "K_
 refused("holds 3 matrices (G, K, M): one was expected, chosen as stored.npz:NAME", 2, "--mass", "stored.npz", "--stiffness", "K_csr.npz")
 refused("holds no mass matrix that is known by its name: it has K_csr", 2, "--matrices", "K_csr.npz")
 
+def kept(name, text):
+    """A file of that text or bytes in the folder of the case."""
+    place = pathlib.Path(case.name) / name
+    place.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return place
+
+
+# What was read wrongly in silence once: never again.
+case = tempfile.TemporaryDirectory()
+TWO = kept("m.csv", "2 0\n0 3\n")
+whole = (files / "scipy_v5.mat").read_bytes()
+for cut in (8, 40, 120):
+    refused("ends within a variable", 2, "--matrices", kept("cut.mat", whole[:-cut]))
+refused("names two of its rows 'u'", 2, "--mass", kept("mu.csv", "u,v,u,v\n2,0,0,0\n0,3,0,0\n0,0,4,0\n0,0,0,5\n"), "--stiffness", kept("ku.csv", "u,v,u,v\n2,0,0,0\n0,3,0,0\n0,0,4,0\n0,0,0,5\n"))
+check("a heading over a column", len(frequencies("--mass", kept("mh.csv", "mass\n1\n2\n3\n"), "--stiffness", kept("kh.csv", "k\n1\n8\n27\n"))), 3)
+XY, YX, PLAIN = kept("xy.csv", "x,y\n2,0\n0,3\n"), kept("yx.csv", "y,x\n300,0\n0,1800\n"), kept("g.csv", "0,1\n-1,0\n")
+check("labels in two orders", len(frequencies("--mass", XY, "--stiffness", YX)), 2)
+refused("name their rows in different orders, and one has no names", 2, "--mass", XY, "--gyroscopic", PLAIN, "--stiffness", YX)
+check("a diagonal as a row of three", len(frequencies("--mass", kept("m1.txt", "1 1 5\n"), "--stiffness", kept("k1.txt", "1 1 9\n"))), 3)
+array = (files / "M.npy").read_bytes()
+refused("is followed by", 2, "--mass", kept("two.npy", array + array), "--stiffness", "M.npy")
+refused("may be sizes or an entry", 2, "--mass", kept("size.txt", "3 3 2\n1 1 4\n2 2 5\n"), "--stiffness", TWO)
+check("a size line", frequencies("--mass", kept("sized.txt", "2 2 3\n1 1 2\n2 1 0\n2 2 3\n"), "--stiffness", TWO), frequencies("--mass", TWO, "--stiffness", TWO))
+refused("contradict each other", 2, "--mass", TWO, "--stiffness", kept("rsa.hb", "Both triangles                                                          K       \n             3             1             1             1\nRSA                        2             2             4             0\n(8I5)           (8I5)           (4E15.7)            \n    1    3    5\n    1    2    1    2\n  4.0000000E+00  1.0000000E+00  9.9000000E+01  5.0000000E+00\n"))
+refused("only one triangle of K is given", 3, "--mass", TWO, "--stiffness", kept("triu.csv", "4 -1\n0 5\n"))
+check("pairs once on either side", len(frequencies("--mass", TWO, "--stiffness", kept("mixed.txt", "1 1 4\n1 2 -1\n2 2 5\n"))), 2)
+refused("is UTF-16 text", 2, "--mass", kept("excel.csv", "1;2\n".encode("utf-16")), "--stiffness", TWO)
+refused("is JSON", 2, "--mass", kept("m.json", '{"M": [1]}'), "--stiffness", TWO)
+refused("is a model file, or other TOML", 2, "--mass", source / "models" / "geos.toml", "--stiffness", TWO)
+refused("is a table of numbers, no model", 2, TWO)
+check("quoted, decimal commas, a mark at the end", frequencies("--mass", kept("mq.csv", '"2,0";0;\n0;"3"\n'), "--stiffness", TWO), frequencies("--mass", TWO, "--stiffness", TWO))
+check("as pandas writes it", frequencies("--mass", kept("mp.csv", ",0,1\n0,2,0\n1,0,3\n"), "--stiffness", TWO), frequencies("--mass", TWO, "--stiffness", TWO))
+big = kept("long.txt", "".join(f"{i} {i} {i}\n" for i in range(1, 3001)))
+check("a long list", len(frequencies("--mass", big, "--stiffness", big, "--lowest", "2")), 3000)
+case.cleanup()
+
 with tempfile.TemporaryDirectory() as folder:
     names = pathlib.Path(folder) / "job.dof"
     names.write_text("1.1\n1.2\n2.1\n")
@@ -66,6 +102,9 @@ with tempfile.TemporaryDirectory() as folder:
     for name in ("r.mat", "r.npz", "r.toml"):
         check(name, run("convert", model, "-o", out / name).returncode, 0)
         check(name, frequencies(*([] if name == "r.toml" else ["--matrices"]), out / name), expected)
+    for place, more in ((out / "r.toml", []), (out / "r.mat", ["--matrices"])):
+        again = run("convert", *more, place, "-o", place)
+        check("over its own input", (again.returncode, "would be overwritten" in again.stderr), (1, True))
     for form in ("mtx", "npy", "csv"):
         check(form, run("convert", model, "-o", out / form, "--to", form).returncode, 0)
         check(form, frequencies("--mass", out / form / f"M.{form}", "--gyroscopic", out / form / f"G.{form}", "--stiffness", out / form / f"K.{form}"), expected)

@@ -147,7 +147,7 @@ said(3, "circulatory", "modes", "m.toml", model=ONE.replace("[[4, 0], [0, 9]]", 
 said(3, "K must satisfy", "modes", "m.toml", "--strict", model=ONE.replace("[[4, 0], [0, 9]]", "[[4, 1], [1.0000000000000002, 9]]"))
 # Formulas
 said(2, "'nu' is no parameter: there are mu", "modes", "m.toml", model=ONE.replace("4, 0", '"nu", 0') + "[parameters]\nmu = 1\n")
-said(2, "not finite", "modes", "m.toml", model=ONE.replace("4, 0", '"1/mu", 0') + "[parameters]\nmu = 0\n")
+said(2, "is infinite", "modes", "m.toml", model=ONE.replace("4, 0", '"1/mu", 0') + "[parameters]\nmu = 0\n")
 said(0, "of the matrices as symmetrised", "modes", "m.toml", "--symmetrise", model=ONE.replace("[[4, 0], [0, 9]]", "[[4, 1], [1.001, 9]]"))
 
 for failure in failures:

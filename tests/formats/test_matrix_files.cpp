@@ -201,10 +201,10 @@ TEST(Dmig, SmallLargeAndFreeField) {
   }
 }
 
-TEST(Dmig, SeveralMatricesShareTheirDegreesOfFreedom) {
+TEST(Dmig, MatricesHaveTheirOwnDegreesOfFreedom) {
   const auto all = parse_matrices("DMIG,M,0,6,2,0\nDMIG,M,2,1,,2,1,5.\nDMIG,G,0,1,2,0\nDMIG,G,1,1,,2,1,-3.\nDMIG,G,2,1,,1,1,3.\n", "x.pch");
   ASSERT_EQ(all.size(), 2U);
-  EXPECT_TRUE(all[0].name == "M" && all[0].matrix == (Matrix{{0, 0}, {0, 5}}));
+  EXPECT_TRUE(all[0].name == "M" && all[0].matrix == Matrix{{5}} && all[0].labels == Labels{"2.1"});
   EXPECT_TRUE(all[1].name == "G" && all[1].matrix == (Matrix{{0, 3}, {-3, 0}}));
 }
 
@@ -346,7 +346,7 @@ TEST(MatrixFiles, OrdersBeyondTheLimitAreRefusedBeforeMemoryIsTaken) {
                  "ends after 0 of");
   expect_refused(with(hb, "         3             3             5", "    900000        900000             5"),
                  "900000 × 900000 is too large");
-  expect_refused(with(op4_dense, "       3       3       6", "  900000  900000       6"), "is too large");
+  expect_refused(with(op4_dense, "       3       3       6", "  900000  900000       6"), "the file ends where");
 }
 
 }  // namespace

@@ -56,8 +56,10 @@ TEST_F(ModelFiles, MatrixFilesThatCannotBeRead) {
   EXPECT_EQ(error(start + "'M.mtx'"), "M.mtx: is a directory: a matrix file was expected");
   write("bad.mtx", "%%MatrixMarket matrix array real general\n1 1\nx\n");
   EXPECT_EQ(error(start + "'bad.mtx'").find("bad.mtx:3: value 'x' is not a number"), 0u);
-  write("wide.mtx", "%%MatrixMarket matrix array real general\n1 2\n1\n2\n");
-  EXPECT_EQ(error(start + "'wide.mtx'"), "model.toml:2:8: 'mass' has 1 rows and 2 columns: a square matrix was expected");
+  write("wide.mtx", "%%MatrixMarket matrix array real general\n2 3\n1\n2\n3\n4\n5\n6\n");
+  EXPECT_EQ(error(start + "'wide.mtx'"), "model.toml:2:8: 'mass' has 2 rows and 3 columns: a square matrix was expected");
+  write("vector.mtx", "%%MatrixMarket matrix array real general\n1 2\n3\n4\n");
+  EXPECT_EQ(second_order(read(start + "'vector.mtx'\nstiffness=[5,6]")).mass(), rows2(3, 0, 0, 4));
   // Too large for a dense model: said at the size line, before its entries are read.
   write("large.mtx", "%%MatrixMarket matrix coordinate real general\n16384 16384 16384\n1 1 1\n");
   EXPECT_EQ(error(start + "'large.mtx'"), "large.mtx:2: size 16384 x 16384 is too large: dense models have at most 16383 coordinates");

@@ -45,6 +45,11 @@ constexpr Unit inertia_units[] = {{"", 1}, {"kg m²", 1}, {"kg m2", 1}, {"kg m^2
 constexpr Unit stiffness_units[] = {{"", 1}, {"N/m", 1}, {"N/mm", 1e3}, {"kN/m", 1e3}};
 constexpr Unit bending_units[] = {{"", 1}, {"N m²", 1}, {"N m2", 1}, {"N m^2", 1}};
 
+constexpr Unit tilt_units[] = {{"", 1}, {"N m/rad", 1}, {"Nm/rad", 1}, {"kN m/rad", 1e3}};
+constexpr Unit modulus_units[] = {{"", 1}, {"Pa", 1}, {"MPa", 1e6}, {"GPa", 1e9}, {"N/m²", 1}, {"N/m2", 1}, {"N/mm²", 1e6}, {"N/mm2", 1e6}};
+constexpr Unit density_units[] = {{"", 1}, {"kg/m³", 1}, {"kg/m3", 1}, {"kg/m^3", 1}, {"g/cm³", 1e3}, {"g/cm3", 1e3}};
+constexpr Unit ratio_units[] = {{"", 1}, {"1", 1}, {"%", 1e-2}};
+
 std::span<const Unit> units_of(Dimension d) {
   switch (d) {
     case Dimension::length: return length_units;
@@ -57,6 +62,10 @@ std::span<const Unit> units_of(Dimension d) {
     case Dimension::time: return time_units;
     case Dimension::force: return force_units;
     case Dimension::moment: return moment_units;
+    case Dimension::tilt_stiffness: return tilt_units;
+    case Dimension::modulus: return modulus_units;
+    case Dimension::density: return density_units;
+    case Dimension::ratio: return ratio_units;
     default: return frequency_units;
   }
 }
@@ -116,6 +125,10 @@ std::string_view form_of(Dimension dimension) {
     case Dimension::time: return "a number in s, or one with a unit: s, ms, us, min, h";
     case Dimension::force: return "a number in N, or one with a unit: N, kN, mN";
     case Dimension::moment: return "a number in N m, or one with a unit: N m, kN m";
+    case Dimension::tilt_stiffness: return "a number in N m/rad, or one with a unit: N m/rad, kN m/rad";
+    case Dimension::modulus: return "a number in Pa, or one with a unit: Pa, MPa, GPa, N/mm²";
+    case Dimension::density: return "a number in kg/m³, or one with a unit: kg/m³, g/cm³";
+    case Dimension::ratio: return "a number";
     default: return frequency_form;
   }
 }

@@ -15,8 +15,24 @@ inline constexpr std::string_view frequency_form =
     "a number in rad/s, or one with a unit: rad/s, 1/s, Hz, mHz, kHz, MHz, rpm, krpm, rev/s, deg/s";
 
 /// What a number of a model file measures, in SI: rad/s, m, rad, kg, kg/m, kg m², N/m, N m², s, N,
-/// N m.
-enum class Dimension { frequency, length, angle, mass, line_density, inertia, stiffness, bending_stiffness, time, force, moment };
+/// N m, N m/rad, Pa, kg/m³, 1.
+enum class Dimension {
+  frequency,
+  length,
+  angle,
+  mass,
+  line_density,
+  inertia,
+  stiffness,
+  bending_stiffness,
+  time,
+  force,
+  moment,
+  tilt_stiffness,
+  modulus,
+  density,
+  ratio
+};
 
 /// "25 mm", "1.65 g/m", "90 deg": a number in SI, or with a unit of that dimension. Nothing where the text is none;
 /// finite always.

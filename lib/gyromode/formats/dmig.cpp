@@ -100,6 +100,8 @@ std::vector<Card> cards_of(std::string_view text) {
 struct Header {
   int form = 6;
   std::size_t line = 0;
+
+  bool rectangular() const { return form == 2 || form == 9; }  // columns of 9 are numbers, and no degrees of freedom
 };
 
 struct Term {
@@ -123,21 +125,27 @@ class Reader {
   }
 
   std::vector<NamedMatrix> matrices() const {
-    std::set<Dof> dofs;
-    for (const auto& [matrix, terms] : terms_) {
-      for (const Term& t : terms) dofs.insert({t.row, t.column});
-    }
-    std::map<Dof, Index> place;
-    Labels labels;
-    for (const Dof& d : dofs) {
-      place[d] = static_cast<Index>(labels.size());
-      labels.push_back(d.second == 0 ? fmt::format("{}", d.first) : fmt::format("{}.{}", d.first, d.second));
-    }
-    const auto order = static_cast<Index>(labels.size());
     std::vector<NamedMatrix> all;
     for (const std::string& matrix : order_) {
-      Entries entries(name_, most_);
       const auto& terms = terms_.at(matrix);
+      if (headers_.at(matrix).rectangular()) {
+        all.push_back({matrix, {}, {}, "is rectangular"});
+        continue;
+      }
+      if (terms.empty()) {
+        all.push_back({matrix, {}, {}, "has no entries"});
+        continue;
+      }
+      std::set<Dof> dofs;
+      for (const Term& t : terms) dofs.insert({t.row, t.column});
+      std::map<Dof, Index> place;
+      Labels labels;
+      for (const Dof& d : dofs) {
+        place[d] = static_cast<Index>(labels.size());
+        labels.push_back(d.second == 0 ? fmt::format("{}", d.first) : fmt::format("{}.{}", d.first, d.second));
+      }
+      const auto order = static_cast<Index>(labels.size());
+      Entries entries(name_, most_);
       entries.require_size(order, order, static_cast<Index>(terms.size()), headers_.at(matrix).line);
       for (const Term& t : terms) entries.add(place.at(t.row), place.at(t.column), t.value);
       all.push_back({matrix, entries.dense(order, order, headers_.at(matrix).form == 6 ? 1 : 0), labels});

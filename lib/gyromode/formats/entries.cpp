@@ -37,6 +37,9 @@ Matrix Entries::dense(Index rows, Index columns, int sign) const {
     const Entry& e = sorted[k];
     if (k > 0 && !before(sorted[k - 1], e))
       fail(0, fmt::format("entry ({},{}) is given twice: each entry once was expected", e.row + 1, e.column + 1));
+    if (sign != 0 && e.row != e.column && a(e.row, e.column) != 0 && a(e.row, e.column) != e.value)
+      fail(0, fmt::format("entries ({0},{1}) and ({1},{0}) contradict each other in a matrix that is {2}: {3} and {4}", e.row + 1,
+                          e.column + 1, sign > 0 ? "symmetric" : "skew", e.value, sign * a(e.row, e.column)));
     a(e.row, e.column) = e.value;
     if (sign != 0 && e.row != e.column) a(e.column, e.row) = sign * e.value + 0.0;
   }

@@ -81,6 +81,35 @@ Matrix sparse_of(const matvar_t& v, const std::filesystem::path& file, Entries e
   return entries.dense(rows, columns, 0);
 }
 
+// libmatio reads what is missing at the end of a file as zeros: a file of version 5 is walked by the lengths of its
+// elements before.
+void require_whole(std::string_view bytes, const std::filesystem::path& file) {
+  constexpr std::size_t header = 128;
+  if (!bytes.starts_with("MATLAB 5.0")) return;
+  const auto damaged = [&] { fail(file, "ends within a variable: the file is damaged or was not copied whole"); };
+  if (bytes.size() < header) damaged();
+  const bool big_endian = bytes[126] == 'M';
+  for (std::size_t at = header; at < bytes.size();) {
+    if (bytes.size() - at < 8) damaged();
+    std::size_t length = 0;
+    for (std::size_t k = 0; k < 4; ++k) length = 256 * length + static_cast<unsigned char>(bytes[at + 4 + (big_endian ? k : 3 - k)]);
+    at += 8;
+    if (length > bytes.size() - at) damaged();
+    at += length;
+  }
+}
+
+NamedMatrix matrix_of(mat_t* mat, matvar_t& v, const std::filesystem::path& file, std::optional<Index> most) {
+  const auto rows = static_cast<Index>(v.dims[0]), columns = static_cast<Index>(v.dims[1]);
+  if (v.isComplex) return {v.name, {}, {}, "is complex"};
+  Entries entries(file, most);
+  if (v.class_type != MAT_C_SPARSE) entries.require_size(rows, columns, rows * columns);
+  if (Mat_VarReadDataAll(mat, &v) != 0 || !v.data) fail(file, fmt::format("variable '{}' cannot be read", v.name));
+  if (v.class_type != MAT_C_SPARSE) return {v.name, dense_of(v, file), {}};
+  entries.require_size(rows, columns, static_cast<Index>(static_cast<const mat_sparse_t*>(v.data)->ndata));
+  return {v.name, sparse_of(v, file, std::move(entries)), {}};
+}
+
 }  // namespace
 
 bool is_matlab(std::string_view bytes) {
@@ -102,7 +131,8 @@ bool is_matlab(std::string_view bytes) {
   return false;
 }
 
-std::vector<NamedMatrix> read_matlab(const std::filesystem::path& file, std::optional<Index> most) {
+std::vector<NamedMatrix> read_matlab(std::string_view bytes, const std::filesystem::path& file, std::optional<Index> most) {
+  require_whole(bytes, file);
   Mat_LogInit(nullptr);
   const std::unique_ptr<mat_t, int (*)(mat_t*)> mat(Mat_Open(file.string().c_str(), MAT_ACC_RDONLY), Mat_Close);
   if (!mat) fail(file, "cannot be read as a MATLAB file");
@@ -110,22 +140,8 @@ std::vector<NamedMatrix> read_matlab(const std::filesystem::path& file, std::opt
   for (;;) {
     Variable info(Mat_VarReadNextInfo(mat.get()), Mat_VarFree);
     if (!info) break;
-    if (!info->name || !numeric(*info)) continue;
-    const auto rows = static_cast<Index>(info->dims[0]), columns = static_cast<Index>(info->dims[1]);
-    if (rows == 0 || columns == 0) continue;
-    if (info->isComplex) {
-      all.push_back({info->name, {}, {}, "is complex"});
-      continue;
-    }
-    Entries entries(file, most);
-    if (info->class_type != MAT_C_SPARSE) entries.require_size(rows, columns, rows * columns);
-    if (Mat_VarReadDataAll(mat.get(), info.get()) != 0 || !info->data) fail(file, fmt::format("variable '{}' cannot be read", info->name));
-    if (info->class_type == MAT_C_SPARSE) {
-      entries.require_size(rows, columns, static_cast<Index>(static_cast<const mat_sparse_t*>(info->data)->ndata));
-      all.push_back({info->name, sparse_of(*info, file, std::move(entries)), {}});
-    } else {
-      all.push_back({info->name, dense_of(*info, file), {}});
-    }
+    if (!info->name || !numeric(*info) || info->dims[0] == 0 || info->dims[1] == 0) continue;
+    all.push_back(matrix_or_reason(info->name, file, [&] { return matrix_of(mat.get(), *info, file, most); }));
   }
   if (all.empty()) fail(file, "holds no matrix of real numbers");
   return all;

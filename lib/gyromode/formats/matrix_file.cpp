@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 
 namespace gyromode {
@@ -40,9 +41,12 @@ std::vector<NamedMatrix> parse_matrices(std::string_view bytes, const std::files
   if (is_npy(bytes)) return {{name.stem().string(), parse_npy(bytes, name, most), {}}};
   if (is_npz(bytes)) return parse_npz(bytes, name, most);
   if (is_op4(bytes)) return parse_op4(bytes, name, most);
-  if (is_matlab(bytes)) return read_matlab(name, most);
+  if (is_matlab(bytes)) return read_matlab(bytes, name, most);
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+    throw Unreadable(name, "is UTF-16 text: save it as UTF-8 (CSV UTF-8 in spreadsheets)");
+  if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) throw Unreadable(name, "is empty: a matrix was expected");
   const std::string_view text = bytes.starts_with("\xEF\xBB\xBF") ? bytes.substr(3) : bytes;
-  if (text.starts_with("%%") || text.empty()) return {{name.stem().string(), parse_matrix_market(text, name, most), {}}};
+  if (text.starts_with("%%")) return {{name.stem().string(), parse_matrix_market(text, name, most), {}}};
   if (is_dmig(text)) return parse_dmig(text, name, most);
   if (is_harwell_boeing(text)) return {parse_harwell_boeing(text, name, most)};
   if (text.find('\0') != std::string_view::npos)
@@ -63,6 +67,23 @@ MatrixPlace matrix_place(const std::filesystem::path& written) {
   const std::size_t colon = text.rfind(':');
   if (std::filesystem::exists(written, error) || colon == std::string::npos || colon == 0) return {written, ""};
   return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+void make_square(NamedMatrix& m, const std::filesystem::path& file) {
+  Matrix& a = m.matrix;
+  if (a.rows() == a.cols()) return;
+  if (std::min(a.rows(), a.cols()) != 1)
+    throw Unreadable(file, fmt::format("'{}' has {} rows and {} columns: a square matrix was expected", shown(m.name), a.rows(), a.cols()));
+  a = Matrix(Vector(a.reshaped()).asDiagonal());
+  if (static_cast<Index>(m.labels.size()) != a.rows()) m.labels.clear();  // the heading of a column
+}
+
+void extend(NamedMatrix& m, Index order) {
+  const Index n = m.matrix.rows();
+  if (!m.may_go_on || n >= order) return;
+  Matrix whole = Matrix::Zero(order, order);
+  whole.topLeftCorner(n, n) = m.matrix;
+  m.matrix = std::move(whole);
 }
 
 void require_fit(const NamedMatrix& m, const std::filesystem::path& file) {

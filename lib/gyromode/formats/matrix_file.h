@@ -18,6 +18,7 @@ struct NamedMatrix {
   Matrix matrix;           ///< dense
   Labels labels = {};      ///< of rows and columns, where the file names them: "12.3" is direction 3 of grid point 12
   std::string unfit = {};  ///< why it is no matrix of real numbers ("is complex"); `matrix` is empty then
+  bool may_go_on = false;  ///< a list of entries: rows and columns of zeros may follow
 };
 
 /// All matrices of a file, recognised by its content and not by its name: Matrix Market, NumPy .npy and .npz (dense,
@@ -42,6 +43,27 @@ struct MatrixPlace {
 /// A file that exists under the whole of what is written is that file.
 MatrixPlace matrix_place(const std::filesystem::path& written);
 
+/// What `read` gives; where it throws Unreadable or TooLarge, no matrix but the reason: of several in a file those that
+/// nobody asks for may be anything.
+template <class Read>
+NamedMatrix matrix_or_reason(const std::string& name, const std::filesystem::path& file, Read&& read) {
+  const auto reason = [&](std::string what) {
+    const std::string prefix = file.string() + ": ";
+    return "is not read: " + (what.starts_with(prefix) ? what.substr(prefix.size()) : what);
+  };
+  try {
+    return read();
+  } catch (const Unreadable& e) {
+    return {name, {}, {}, reason(e.what())};
+  } catch (const TooLarge& e) {
+    return {name, {}, {}, reason(e.what())};
+  }
+}
+/// A row or column of numbers made the diagonal that it stands for. @throws Unreadable for a matrix that is neither
+/// that nor square
+void make_square(NamedMatrix& matrix, const std::filesystem::path& file);
+/// Rows and columns of zeros added to a list of entries, up to that order.
+void extend(NamedMatrix& matrix, Index order);
 /// @throws Unreadable where it is no matrix of real numbers
 void require_fit(const NamedMatrix& matrix, const std::filesystem::path& file);
 /// The one meant; of several the only one of real numbers. @throws Unreadable where there are several and none is

@@ -5,8 +5,8 @@
 namespace gyromode::io {
 
 /// Direct matrix input of Nastran (DMIG, as EXTSEOUT and PUNCH write it): small, large and free field; real, single or
-/// double; square (1), rectangular (2, 9), symmetric (6). Rows and columns are the degrees of freedom that any matrix
-/// of the file names, in order of grid point and component; labels are "12.3", of scalar points "12".
+/// double; square (1), symmetric (6); rectangular ones (2, 9) are passed over. Rows and columns are the degrees of
+/// freedom that the matrix names, in order of grid point and component; labels are "12.3", of scalar points "12".
 bool is_dmig(std::string_view text);
 std::vector<NamedMatrix> parse_dmig(std::string_view text, const std::filesystem::path& name, std::optional<Index> most);
 

@@ -129,7 +129,7 @@ std::string why_unfit(const Header& h) {
 
 bool is_npy(std::string_view bytes) { return bytes.starts_with(magic); }
 
-Matrix parse_npy(std::string_view bytes, const std::filesystem::path& name, std::optional<Index> most) {
+Matrix parse_npy(std::string_view bytes, const std::filesystem::path& name, std::optional<Index> most, bool may_be_empty) {
   if (!is_npy(bytes)) fail(name, "is no NumPy array");
   const Header h = header_of(bytes, name);
   if (const std::string why = why_unfit(h); !why.empty())
@@ -137,7 +137,11 @@ Matrix parse_npy(std::string_view bytes, const std::filesystem::path& name, std:
   const auto available = static_cast<Index>(h.content.size() / h.size);
   if (h.rows > 0 && h.columns > available / h.rows)
     fail(name, fmt::format("the NumPy array ends after {} of {} × {} numbers", available, h.rows, h.columns));
+  if (may_be_empty && (h.rows == 0 || h.columns == 0)) return Matrix(h.rows, h.columns);
   Entries(name, most).require_size(h.rows, h.columns, h.rows * h.columns);
+  if (static_cast<std::size_t>(h.rows * h.columns) * h.size != h.content.size())
+    fail(name, fmt::format("the NumPy array of {} × {} numbers is followed by {} bytes more: one array a file was expected, or .npz",
+                           h.rows, h.columns, h.content.size() - static_cast<std::size_t>(h.rows * h.columns) * h.size));
   const bool swapped = (h.endian == '>') != (std::endian::native == std::endian::big) && h.size > 1;
   Matrix a(h.rows, h.columns);
   for (Index i = 0; i < h.rows; ++i) {

@@ -1,5 +1,5 @@
 // NumPy archives by libzip; scipy.sparse.save_npz stores a matrix as arrays format, shape, data and indices, indptr
-// (csr, csc), row, col (coo) or offsets (dia).
+// (csr, csc), row, col (coo).
 #include "gyromode/formats/entries.h"
 #include "gyromode/formats/numpy.h"
 
@@ -60,19 +60,20 @@ class Sparse {
       : arrays_(arrays), name_(name), entries_(name, most) {}
 
   Matrix dense() {
+    const std::string& format = arrays_.at("format");
+    const bool by_rows = contains(format, "csr"), by_columns = contains(format, "csc");
+    if (!by_rows && !by_columns && !contains(format, "coo"))
+      fail(name_, "the sparse matrix is of a format that is not read: csr, csc or coo was expected (A.tocsr() before save_npz)");
     const Matrix shape = array("shape");
     if (shape.size() != 2) fail(name_, "the sparse matrix has no shape of two numbers");
     rows_ = whole(shape(0), Index{1} << 31);
     columns_ = whole(shape(1), Index{1} << 31);
     data_ = array("data");
-    entries_.require_size(rows_, columns_, data_.size());
-    const std::string& format = arrays_.at("format");
-    if (contains(format, "csr") || contains(format, "csc"))
-      compressed(contains(format, "csr"));
-    else if (contains(format, "coo"))
-      triplets();
+    entries_.require_size(rows_, columns_, std::max<Index>(data_.size(), 1));
+    if (by_rows || by_columns)
+      compressed(by_rows);
     else
-      fail(name_, "the sparse matrix is of a format that is not read: csr, csc or coo was expected (A.tocsr() before save_npz)");
+      triplets();
     return entries_.dense(rows_, columns_, 0);
   }
 
@@ -86,7 +87,7 @@ class Sparse {
   Matrix array(const std::string& key) const {
     const auto at = arrays_.find(key);
     if (at == arrays_.end()) fail(name_, fmt::format("the sparse matrix has no array '{}'", key));
-    return parse_npy(at->second, name_, std::nullopt);
+    return parse_npy(at->second, name_, std::nullopt, true);
   }
   Index whole(double value, Index below) const {
     if (!(value >= 0 && value < static_cast<double>(below)) || value != std::floor(value))
@@ -128,8 +129,10 @@ std::vector<NamedMatrix> parse_npz(std::string_view bytes, const std::filesystem
   if (arrays.count("format") && arrays.count("shape")) return {{name.stem().string(), Sparse(arrays, name, most).dense()}};
   std::vector<NamedMatrix> all;
   for (const auto& [key, content] : arrays) {
-    const std::string unfit = is_npy(content) ? unfit_npy(content, name) : "is no NumPy array";
-    all.push_back({key, unfit.empty() ? parse_npy(content, name, most) : Matrix(), {}, unfit});
+    all.push_back(matrix_or_reason(key, name, [&, &array = content, &entry = key]() -> NamedMatrix {
+      const std::string unfit = is_npy(array) ? unfit_npy(array, name) : "is no NumPy array";
+      return {entry, unfit.empty() ? parse_npy(array, name, most) : Matrix(), {}, unfit};
+    }));
   }
   if (all.empty()) fail(name, "is an archive without NumPy arrays: .npz was expected");
   return all;

@@ -49,6 +49,10 @@ Header header_of(Index columns, Index rows, Index type, std::string_view written
   return h;
 }
 
+// Of an order that serves nobody here.
+bool beyond(const Header& h, std::optional<Index> most) { return most && std::max(h.rows, h.columns) > *most; }
+std::string unfit(const Header& h) { return h.complex ? "is complex" : fmt::format("has {} rows and {} columns", h.rows, h.columns); }
+
 // What both forms have in common: words of a column, from a source that gives whole numbers and values.
 template <class Source>
 void read_column(Source& from, const Header& h, Index column, Index first, Index words, Entries& entries) {
@@ -186,9 +190,9 @@ NamedMatrix read_text_matrix(TextSource& from, const std::filesystem::path& name
                           shown(written.substr(0, written.find_last_not_of(' ') + 1))));
   }
   from.format(*format);
-  if (h.complex) {
+  if (h.complex || beyond(h, most)) {
     from.skip(h);
-    return {h.name, {}, {}, "is complex"};
+    return {h.name, {}, {}, unfit(h)};
   }
   Entries entries(name, most);
   entries.require_size(h.rows, h.columns, h.rows * std::min<Index>(h.columns, 1 << 20));
@@ -285,16 +289,17 @@ NamedMatrix read_binary_matrix(BinarySource& from, const std::filesystem::path& 
   if (from.wide()) h.words = 1;
   from.close(length);
   Entries entries(name, most);
-  if (!h.complex) entries.require_size(h.rows, h.columns, h.rows * std::min<Index>(h.columns, 1 << 20));
+  const bool passed_over = h.complex || beyond(h, most);
+  if (!passed_over) entries.require_size(h.rows, h.columns, h.rows * std::min<Index>(h.columns, 1 << 20));
   for (;;) {
     const Index record = from.open();
     const Index column = from.whole(), row = from.whole(), words = from.whole();
     if (column < 1 || row < 0 || words < 0) from.fail(fmt::format("column {}, row {}, {} words", column, row, words));
-    if (column <= h.columns && !h.complex) read_column(from, h, column, row, words, entries);
+    if (column <= h.columns && !passed_over) read_column(from, h, column, row, words, entries);
     from.close(record);
     if (column > h.columns) break;
   }
-  if (h.complex) return {h.name, {}, {}, "is complex"};
+  if (passed_over) return {h.name, {}, {}, unfit(h)};
   return {h.name, entries.dense(h.rows, h.columns, 0), {}};
 }
 

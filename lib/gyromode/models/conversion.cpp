@@ -39,7 +39,8 @@ void add_realified(const System& system, bool transformation, Conversion& to) {
   try {
     add(dense::constant_form(system, analyse(system, HiddenSearch::always)), transformation, to);
   } catch (const NotApplicable& why) {
-    to.remark = fmt::format("W is not symmetric, as ω² may be complex: {}. It is real, upper Hessenberg, by a unitary matrix", why.what());
+    to.remark += fmt::format("{}W is not symmetric, as ω² may be complex: {}. It is real, upper Hessenberg, by a unitary matrix",
+                             to.remark.empty() ? "" : "; ", why.what());
     add(dense::unitary_form(system), transformation, to);
   }
 }
@@ -54,6 +55,9 @@ Conversion converted(const Model& model, bool realified, bool transformation) {
   const System* of = model.body->second_order();
   all.labels = of ? of->labels() : model.labels();
   if (all.matrices.empty()) throw NotApplicable("convert writes matrices, and this model is not made of any");
+  if (const Labels massless = model.body->massless(); !massless.empty())
+    all.remark =
+        fmt::format("{} of {} coordinates have no mass: written are the condensed matrices of the others", massless.size(), model.size());
   if (!realified) return all;
   const System* second_order = model.body->second_order();
   if (!second_order) throw NotApplicable("--realified is for models of second order: eigenvalues of W are their ω²");

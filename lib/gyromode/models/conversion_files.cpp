@@ -25,9 +25,21 @@ std::string quoted(const std::string& text) {  // a basic string of TOML
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
-    out += c;
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      out += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    else
+      out += c;
   }
   return out + "\"";
+}
+
+void require_no_input(const fs::path& target, const Model& model) {
+  for (const fs::path& file : model.files) {
+    std::error_code error;
+    if (fs::equivalent(target, file, error) && !error)
+      throw InvalidArgument(
+          fmt::format("{} is a file that the model was read from, and would be overwritten: another place was expected", target.string()));
+  }
 }
 
 std::string rows(const Matrix& a) {
@@ -66,6 +78,7 @@ std::string into_folder(const Conversion& c, const Model& model, const fs::path&
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder)) throw Unreadable(folder, "cannot be made a folder: a place to write matrices was expected");
   std::string names;
+  for (const ConvertedMatrix& a : c.matrices) require_no_input(folder / (a.name + "." + format), model);
   for (const ConvertedMatrix& a : c.matrices) {
     const fs::path file = folder / (a.name + "." + format);
     if (format == "npy")
@@ -86,6 +99,7 @@ std::string write_matrices(const Conversion& c, const Model& model, const fs::pa
     throw InvalidArgument(fmt::format("matrices are not written as '{}': mtx, npy or csv was expected", format));
   const std::string extension = target.extension().string();
   if (extension.empty() || fs::is_directory(target)) return into_folder(c, model, target, format);
+  require_no_input(target, model);
   if (extension == ".mat") {
     io::write_matlab(target, named(c));
   } else if (extension == ".npz") {

@@ -10,6 +10,7 @@
 #include "gyromode/system/spin_family.h"
 #include "gyromode/system/system.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,11 +53,12 @@ struct Model {
   /// of the model file followed by its matrix files, in the order M, G, K, per-spin ones (I, G); empty of a model built
   /// in code
   std::string sha256;
-  std::shared_ptr<const ModelKind> body;    ///< what answers
-  std::optional<double> spin;               ///< rad/s, where the model depends on it
-  Frame frame = Frame::unknown;             ///< as its maker says; spacecraft: turning
-  KnownValues known;                        ///< for whoever wants to check
-  std::optional<IgnoredCouplings> ignored;  ///< where `body` is that of the file without its weak couplings
+  std::vector<std::filesystem::path> files;  ///< those that it was read from
+  std::shared_ptr<const ModelKind> body;     ///< what answers
+  std::optional<double> spin;                ///< rad/s, where the model depends on it
+  Frame frame = Frame::unknown;              ///< as its maker says; spacecraft: turning
+  KnownValues known;                         ///< for whoever wants to check
+  std::optional<IgnoredCouplings> ignored;   ///< where `body` is that of the file without its weak couplings
 
   Index size() const;            ///< n, the number of coordinates
   const Labels& labels() const;  ///< of the coordinates, n

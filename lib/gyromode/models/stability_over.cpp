@@ -11,13 +11,18 @@ StabilityPoint verdict_at(const ModelKind& model, const std::vector<ParameterAxi
   for (std::size_t k = 0; k < axes.size(); ++k) {
     for (const std::string& key : keys_of(axes[k].keys)) values.push_back({key, at[k]});
   }
-  try {
-    return stability_point(model.with(values)->verdict(false));
-  } catch (const LawBroken& e) {
+  const auto no_model = [](const Error& e) {
     StabilityPoint p;
     p.law_kept = false;
     p.reason = e.what();
     return p;
+  };
+  try {
+    return stability_point(model.with(values)->verdict(false));
+  } catch (const LawBroken& e) {
+    return no_model(e);
+  } catch (const Unreadable& e) {  // a formula that is no number there
+    return no_model(e);
   }
 }
 

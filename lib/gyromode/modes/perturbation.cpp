@@ -99,13 +99,21 @@ double Perturbation::own(Index k) const {
   return norm_ * length_(r.left.column) * length_(r.right.column) / std::abs(r.slope);
 }
 
+// Those that the second order would leave open beyond a thousandth; where that is half of a large spectrum, as a large
+// part that was asked to be dropped makes it, those that it would leave open beyond a twentieth.
 std::vector<Index> Perturbation::near(Index i) const {
+  constexpr std::size_t largest_block = 64;
+  std::vector<Index> all = near(i, 2000);
+  return all.size() <= largest_block ? all : near(i, 20);
+}
+
+std::vector<Index> Perturbation::near(Index i, double apart) const {
   const Complex lambda = roots_.root(i).lambda, p = power(lambda);
   std::vector<Index> all{i};
   for (Index k = 0; k < roots_.count(); ++k) {
     if (k == i) continue;
     const double distance = std::abs(lambda - roots_.root(k).lambda);
-    if (distance * distance <= 400 * std::abs(b(i, k, p) * b(k, i, p)) || distance <= 20 * std::abs(p) * (own(i) + own(k))) {
+    if (distance * distance <= 20 * apart * std::abs(b(i, k, p) * b(k, i, p)) || distance <= apart * std::abs(p) * (own(i) + own(k))) {
       all.push_back(k);
     }
   }

@@ -25,6 +25,7 @@ class Perturbation {
   double own(Index k) const;
   bool is_formed(const RootPlace& root) const;
   std::vector<Index> near(Index i) const;
+  std::vector<Index> near(Index i, double apart) const;
   void form_products(const std::vector<Index>& chosen);
   Complex product(const VectorPlace& left, const VectorPlace& right) const;
   Complex by_massless(Index i) const;

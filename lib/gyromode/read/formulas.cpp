@@ -46,6 +46,16 @@ bool is_function(const std::string& name) {
          std::find(more_names.begin(), more_names.end(), name) != more_names.end();
 }
 
+// What people write as other languages have it; else where reading stopped.
+std::string what_is_wrong(const std::string& text, int position) {
+  if (text.find("**") != std::string::npos) return "powers are written a^2";
+  const auto at = static_cast<std::size_t>(std::max(position, 0));
+  if (at >= text.size()) return "it ends too early";
+  const bool after_number = at > 0 && std::isdigit(static_cast<unsigned char>(text[at - 1])) != 0;
+  if (after_number && (std::isalpha(static_cast<unsigned char>(text[at])) != 0 || text[at] == '(')) return "products are written 2*a";
+  return fmt::format("'{}' was not expected there", shown(text.substr(at, 20)));
+}
+
 }  // namespace
 
 std::optional<Formulas::Fault> Formulas::add(const std::string& name, double value, std::optional<Dimension> dimension) {
@@ -70,16 +80,19 @@ Formulas::Value Formulas::evaluate(const std::string& text) const {
     define_functions(p);
     for (const Parameter& parameter : parameters_) p.DefineConst(parameter.key, parameter.value);
     p.SetExpr(text);
-    const double value = p.Eval();
-    if (!std::isfinite(value)) return {0, Fault{fmt::format("is {}, not finite", value)}};
-    return {value, std::nullopt};
+    int count = 0;
+    const double* values = p.Eval(count);
+    if (count != 1) return {0, Fault{"holds a comma, and is more than one number: decimals have a point"}};
+    if (std::isnan(values[0])) return {0, Fault{"is no real number"}};
+    if (std::isinf(values[0])) return {0, Fault{"is infinite"}};
+    return {values[0], std::nullopt};
   } catch (const mu::ParserError& e) {
     std::string known;
     for (const Parameter& parameter : parameters_) known += (known.empty() ? "" : ", ") + parameter.key;
     if (e.GetCode() == mu::ecUNASSIGNABLE_TOKEN || e.GetCode() == mu::ecINVALID_NAME)
       return {0, Fault{fmt::format("'{}' is no parameter{}", shown(e.GetToken()),
                                    known.empty() ? "; [parameters] are none" : ": there are " + known)}};
-    return {0, Fault{fmt::format("is no formula ({})", shown(e.GetMsg()))}};
+    return {0, Fault{"is no formula: " + what_is_wrong(text, e.GetPos())}};
   }
 }
 

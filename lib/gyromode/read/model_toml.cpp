@@ -4,11 +4,13 @@
 #include "gyromode/formats/matrix_file.h"
 #include "gyromode/read/parametrised_model.h"
 #include "gyromode/read/read_model.h"
+#include "gyromode/read/rotor_toml.h"
 #include "gyromode/read/spacecraft_toml.h"
 #include "gyromode/formats/text_file.h"
 #include "gyromode/read/toml_table.h"
 #include "gyromode/models/family_parameters.h"
 #include "gyromode/models/matrices.h"
+#include "gyromode/models/rotor_model.h"
 #include "gyromode/models/spacecraft_model.h"
 #include "gyromode/system/laws.h"
 
@@ -56,6 +58,7 @@ struct Agreed {
 std::optional<Matrix> matrix(const TomlTable& table, std::string_view key, Agreed& agreed, Digest& digest) {
   auto found = table.matrix(key, digest);
   if (!found) return std::nullopt;
+  if (agreed.n != 0) extend(*found, agreed.n);
   Matrix& a = found->matrix;
   if (a.rows() != a.cols())
     table.fail(key, fmt::format("'{}' has {} rows and {} columns: a square matrix was expected", key, a.rows(), a.cols()));
@@ -151,6 +154,12 @@ std::shared_ptr<const ModelKind> read_spacecraft_model(const TomlTable& table, c
   return std::make_shared<SpacecraftModel>(std::move(s));
 }
 
+std::shared_ptr<const ModelKind> read_rotor_model(const TomlTable& table, const Admission&, std::optional<double>& spin, Digest&) {
+  Rotor r = read_rotor(table);
+  spin = r.parts().speed;
+  return std::make_shared<RotorModel>(std::move(r));
+}
+
 // Every kind: its word in model files, and who reads it.
 struct Kind {
   std::string_view word;
@@ -161,6 +170,7 @@ constexpr Kind kinds[] = {
     {"matrices", read_second_order, Frame::unknown},
     {"first_order", read_first_order, Frame::unknown},
     {"spacecraft", read_spacecraft_model, Frame::turning},
+    {"rotor", read_rotor_model, Frame::fixed},
 };
 
 std::string quoted_kinds(char quote) {
@@ -197,7 +207,12 @@ Model read_model(const std::filesystem::path& file, const Admission& admission) 
   if (const std::string_view what = matrix_format(start_of(file)); !what.empty())
     throw Unreadable(
         file, fmt::format("is a matrix file ({}), no model: --mass, --gyroscopic, --stiffness or --matrices was expected before it", what));
-  return parse_model(read_text(file, "TOML model"), file, admission);
+  const std::string text = read_text(file, "TOML model");
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const std::string_view begins = first == std::string::npos ? std::string_view() : std::string_view(text).substr(first, 1);
+  if (!begins.empty() && std::string_view("0123456789+-.").find(begins) != std::string_view::npos)
+    throw Unreadable(file, "is a table of numbers, no model: --mass, --gyroscopic or --stiffness was expected before it");
+  return parse_model(text, file, admission);
 }
 
 Model parse_model(std::string_view text, const std::filesystem::path& name, const Admission& admission) {
@@ -224,6 +239,8 @@ Model parse_model(std::string_view text, const std::filesystem::path& name, cons
   model.title = table.text("title").value_or(name.stem().string());
   model.reference = table.text("reference").value_or("");
   model.sha256 = digest.sha256();
+  model.files = digest.files();
+  model.files.push_back(name);
   model.spin = spin;
   const std::string frame = one_of(table, "frame", {"turning", "fixed"});
   model.frame = frame == "turning" ? Frame::turning : frame == "fixed" ? Frame::fixed : kind->frame;

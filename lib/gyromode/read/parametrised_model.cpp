@@ -10,7 +10,7 @@ namespace gyromode::io {
 
 std::vector<Parameter> ParametrisedModel::parameters() const {
   std::vector<Parameter> all = named_;
-  for (Parameter& p : made_->parameters()) all.push_back(std::move(p));
+  for (Parameter& p : made()->parameters()) all.push_back(std::move(p));
   return all;
 }
 
@@ -18,7 +18,7 @@ std::optional<Parameter> ParametrisedModel::parameter(std::string_view key) cons
   for (const Parameter& p : named_) {
     if (p.key == key) return p;
   }
-  return made_->parameter(key);
+  return made()->parameter(key);
 }
 
 // Named parameters first, as the numbers that formulas give are made of them; then those numbers that are asked for.
@@ -43,17 +43,17 @@ std::shared_ptr<const ModelKind> ParametrisedModel::with(const std::vector<Param
     Made made = maker_(named);
     if (tolerance_ > 0) made.model = made.model->without_couplings(tolerance_).first;
     changed->named_ = std::move(made.named);
-    changed->made_ = std::move(made.model);
+    changed->answer_by(std::move(made.model));
     changed->given_ = std::move(named);
   }
-  if (!numbers.empty()) changed->made_ = changed->made_->with(numbers);
+  if (!numbers.empty()) changed->answer_by(changed->made()->with(numbers));
   return changed;
 }
 
 std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> ParametrisedModel::without_couplings(double tolerance) const {
-  auto [made, what] = made_->without_couplings(tolerance);
+  auto [reduced, what] = made()->without_couplings(tolerance);
   auto without = std::make_shared<ParametrisedModel>(*this);
-  without->made_ = std::move(made);
+  without->answer_by(std::move(reduced));
   without->tolerance_ = tolerance;
   return {std::move(without), what};
 }

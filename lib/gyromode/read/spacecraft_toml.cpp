@@ -1,5 +1,6 @@
 #include "gyromode/read/spacecraft_toml.h"
 
+#include "gyromode/read/part_toml.h"
 #include "gyromode/spacecraft/part_numbers.h"
 
 #include <fmt/format.h>
@@ -15,29 +16,6 @@ namespace {
 
 constexpr std::array<std::string_view, 10> spacecraft_keys{"kind", "title", "reference", "known", "parameters",
                                                            "spin", "body",  "cable",     "beam",  "spring_mass"};
-double required(const TomlTable& t, std::string_view key, Dimension d) {
-  const auto value = t.quantity(key, d);
-  if (!value) t.fail(fmt::format("key '{}' is missing: {} was expected", key, form_of(d)));
-  return *value;
-}
-
-template <class Part>
-Part checked(const TomlTable& t, Part part) {
-  if (const auto broken = broken_law(part)) t.break_law(broken->key, broken->law);
-  return part;
-}
-
-// Only booms along the spin axis: there the centrifugal force does not load them.
-double height_on_axis_3(const TomlTable& t, std::string_view key, Dimension dimension) {
-  const std::vector<double> at = t.quantities(key, dimension, 3);
-  if (at.empty()) t.fail(fmt::format("key '{}' is missing: three values were expected, each {}", key, form_of(dimension)));
-  if (at[0] != 0 || at[1] != 0) {
-    t.break_law(key, fmt::format("'{}' of a beam must be on axis 3, [0, 0, z]: it is [{:.6g}, {:.6g}, {:.6g}]; off the axis the "
-                                 "centrifugal force bends a boom while it spins steadily",
-                                 key, at[0], at[1], at[2]));
-  }
-  return at[2];
-}
 
 bool upward(const TomlTable& t) {
   const std::vector<double> way = t.numbers("direction");
@@ -51,38 +29,6 @@ bool upward(const TomlTable& t) {
                                          way[0], way[1], way[2]));
   }
   return way[2] > 0;
-}
-
-void read_several(const TomlTable& t, const NumberKey& k, std::span<double> to) {
-  const std::vector<double> values = t.quantities(k.key, k.dimension, to.size(), k.form == NumberKey::Form::several_or_infinite);
-  if (values.empty())
-    t.fail(fmt::format("key '{}' is missing: {} values were expected, each {}", k.key, to.size() == 2 ? "two" : "three",
-                       form_of(k.dimension)));
-  std::copy(values.begin(), values.end(), to.begin());
-}
-
-// The numbers of a part from its table, which has no other keys but `more`.
-template <class Part>
-Part read_part(const TomlTable& t, std::initializer_list<std::string_view> more = {}) {
-  Part part;
-  std::vector<std::string_view> keys(more);
-  each_number(part, [&](const NumberKey& k, std::span<double>) { keys.push_back(k.key); });
-  t.allow_only(keys);
-  each_number(part, [&](const NumberKey& k, std::span<double> to) {
-    switch (k.form) {
-      case NumberKey::Form::one: to[0] = required(t, k.key, k.dimension); break;
-      case NumberKey::Form::one_or_zero: to[0] = t.quantity(k.key, k.dimension).value_or(0); break;
-      case NumberKey::Form::on_axis_3: to[0] = height_on_axis_3(t, k.key, k.dimension); break;
-      case NumberKey::Form::several:
-      case NumberKey::Form::several_or_infinite: read_several(t, k, to); break;
-      case NumberKey::Form::symmetric: {
-        const auto inertia = t.diagonal_or_matrix(k.key, k.dimension, 3);
-        if (!inertia) t.fail(fmt::format("key '{}' is missing: three principal moments in kg m², or a 3 × 3 matrix, were expected", k.key));
-        Eigen::Map<Matrix>(to.data(), 3, 3) = *inertia;
-      }
-    }
-  });
-  return part;
 }
 
 Beam read_beam(const TomlTable& t) {

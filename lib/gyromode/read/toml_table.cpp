@@ -161,12 +161,22 @@ std::optional<std::string> TomlTable::text(std::string_view key) const {
 
 bool TomlTable::has(std::string_view key) const { return content_->table.get(key) != nullptr; }
 
+bool TomlTable::is_array(std::string_view key) const { return has(key) && content_->table.get(key)->is_array(); }
+
 std::vector<std::string> TomlTable::texts_or_file(std::string_view key) const {
+  const toml::node* node = content_->table.get(key);
+  if (node && node->is_string()) return read_labels(content_->file.parent_path() / *node->value<std::string>());
+  if (node && !node->is_array())
+    fail(key, fmt::format("'{}' is {}: an array of strings, or a file of them, was expected", key, type_word(*node)));
+  return words(key);
+}
+
+std::vector<std::string> TomlTable::words(std::string_view key) const {
   std::vector<std::string> all;
   const toml::node* node = content_->table.get(key);
   if (!node) return all;
-  if (node->is_string()) return read_labels(content_->file.parent_path() / *node->value<std::string>());
-  if (!node->is_array()) fail(key, fmt::format("'{}' is {}: an array of strings, or a file of them, was expected", key, type_word(*node)));
+  if (node->is_string()) return {*node->value<std::string>()};
+  if (!node->is_array()) fail(key, fmt::format("'{}' is {}: an array of strings was expected", key, type_word(*node)));
   for (const toml::node& item : *node->as_array()) {
     if (!item.is_string()) fail_at(content_->file, item, fmt::format("an item of '{}' is {}: a string was expected", key, type_word(item)));
     all.push_back(*item.value<std::string>());
@@ -217,10 +227,10 @@ double quantity_of(const std::filesystem::path& file, const toml::node& node, co
 
 }  // namespace
 
-std::optional<double> TomlTable::quantity(std::string_view key, Dimension dimension) const {
+std::optional<double> TomlTable::quantity(std::string_view key, Dimension dimension, bool infinite) const {
   const toml::node* node = content_->table.get(key);
   if (!node) return std::nullopt;
-  return quantity_of(content_->file, *node, fmt::format("'{}'", key), dimension, false, *content_->formulas);
+  return quantity_of(content_->file, *node, fmt::format("'{}'", key), dimension, infinite, *content_->formulas);
 }
 
 std::vector<double> TomlTable::quantities(std::string_view key, Dimension dimension, std::size_t count, bool infinite) const {
@@ -265,6 +275,24 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   return all;
 }
 
+std::vector<std::pair<std::string, TomlTable>> TomlTable::named_tables(std::string_view key) const {
+  std::vector<std::pair<std::string, TomlTable>> all;
+  const toml::node* node = content_->table.get(key);
+  if (!node) return all;
+  if (!node->is_table()) fail(key, fmt::format("'{}' is {}: tables [{}.NAME] were expected", key, type_word(*node), key));
+  std::vector<std::pair<const toml::key*, const toml::table*>> found;
+  for (const auto& [name, item] : *node->as_table()) {
+    if (!item.is_table())
+      fail_at(content_->file, item, fmt::format("'{}.{}' is {}: a table [{}.NAME] was expected", key, name.str(), type_word(item), key));
+    found.emplace_back(&name, item.as_table());
+  }
+  const auto place = [](const auto& entry) { return std::pair(entry.second->source().begin.line, entry.second->source().begin.column); };
+  std::sort(found.begin(), found.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  for (const auto& [name, table] : found)
+    all.emplace_back(std::string(name->str()), TomlTable(std::make_shared<const Content>(content_->part(*table))));
+  return all;
+}
+
 std::optional<TomlTable> TomlTable::table(std::string_view key) const {
   const toml::node* node = content_->table.get(key);
   if (!node) return std::nullopt;
@@ -284,8 +312,10 @@ std::optional<NamedMatrix> TomlTable::matrix(std::string_view key, Digest& diges
   if (!std::filesystem::exists(place.file, error))
     fail(key, fmt::format("'{}' names '{}', which does not exist: a matrix file was expected", key, shown(written)));
   const std::string bytes = read_bytes(place.file, "matrix");
-  digest.add(bytes);
-  return chosen_matrix(parse_matrices(bytes, place.file, most_coordinates), place);
+  digest.add(place.file, bytes);
+  NamedMatrix found = chosen_matrix(parse_matrices(bytes, place.file, most_coordinates), place);
+  if (std::min(found.matrix.rows(), found.matrix.cols()) == 1) make_square(found, place.file);
+  return found;
 }
 
 void TomlTable::fail(std::string_view key, const std::string& message) const {

@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace gyromode::io {
@@ -36,19 +37,23 @@ class TomlTable {
 
   std::optional<std::string> text(std::string_view key) const;
   bool has(std::string_view key) const;
+  bool is_array(std::string_view key) const;
+  std::vector<std::string> words(std::string_view key) const;  ///< a string, or an array of them; empty for a missing key
   /// An array of strings, or the file of labels that a string names, relative to the folder of the model; empty for a
   /// missing key.
   std::vector<std::string> texts_or_file(std::string_view key) const;
   std::vector<double> numbers(std::string_view key) const;      ///< finite; empty for a missing key
   std::optional<double> number(std::string_view key) const;     ///< finite
   std::optional<double> frequency(std::string_view key) const;  ///< rad/s; a number or a string with a unit
-  /// A number in SI or a string with a unit of the dimension; finite.
-  std::optional<double> quantity(std::string_view key, Dimension dimension) const;
+  /// A number in SI or a string with a unit of the dimension; finite, unless `infinite`: inf is allowed.
+  std::optional<double> quantity(std::string_view key, Dimension dimension, bool infinite = false) const;
   /// `count` of them in an array; `infinite`: inf is allowed. Empty for a missing key.
   std::vector<double> quantities(std::string_view key, Dimension dimension, std::size_t count, bool infinite = false) const;
   /// `count` of them, or as many rows of as many.
   std::optional<Matrix> diagonal_or_matrix(std::string_view key, Dimension dimension, std::size_t count) const;
   std::optional<TomlTable> table(std::string_view key) const;
+  /// [key.NAME], in the order of the file, with their names.
+  std::vector<std::pair<std::string, TomlTable>> named_tables(std::string_view key) const;
   std::vector<TomlTable> tables(std::string_view key) const;  ///< [[key]], in order; empty for a missing key
   /// A matrix file of any format that is read ("K.mtx", "model.mat:K"), whose bytes are added to the digest; rows of
   /// finite numbers; or a list of them, the diagonal. With the labels of its rows where the file has some.

@@ -10,28 +10,6 @@ namespace gyromode {
 
 namespace {
 
-std::optional<BrokenLaw> positive(const char* key, const char* unit, double value) {
-  if (value > 0 && std::isfinite(value)) return std::nullopt;
-  return BrokenLaw{key, fmt::format("'{}' must be above 0: it is {:.6g} {}", key, value, unit)};
-}
-
-std::optional<BrokenLaw> not_negative(const char* key, const char* unit, double value) {
-  if (value >= 0 && std::isfinite(value)) return std::nullopt;
-  return BrokenLaw{key, fmt::format("'{}' must not be below 0: it is {:.6g} {}", key, value, unit)};
-}
-
-std::optional<BrokenLaw> finite(const char* key, double value) {
-  if (std::isfinite(value)) return std::nullopt;
-  return BrokenLaw{key, fmt::format("'{}' must be finite: it is {}", key, value)};
-}
-
-std::optional<BrokenLaw> first_of(std::initializer_list<std::optional<BrokenLaw>> laws) {
-  for (const auto& b : laws) {
-    if (b) return b;
-  }
-  return std::nullopt;
-}
-
 std::optional<BrokenLaw> law_of_inertia(const Eigen::Matrix3d& j) {
   constexpr double rounding = 1e-12;
   if (!j.allFinite()) return BrokenLaw{"inertia", "'inertia' must be finite"};
@@ -58,22 +36,23 @@ std::optional<BrokenLaw> law_of_inertia(const Eigen::Matrix3d& j) {
 
 }  // namespace
 
-std::optional<BrokenLaw> broken_law(const Body& b) { return first_of({positive("mass", "kg", b.mass), law_of_inertia(b.inertia)}); }
+std::optional<BrokenLaw> broken_law(const Body& b) { return first_broken({not_positive("mass", "kg", b.mass), law_of_inertia(b.inertia)}); }
 
 std::optional<BrokenLaw> broken_law(const Cable& c) {
-  return first_of({finite("azimuth", c.azimuth), not_negative("radius", "m", c.radius), finite("height", c.height),
-                   positive("length", "m", c.length), positive("line_density", "kg/m", c.line_density),
-                   not_negative("tip_mass", "kg", c.tip_mass)});
+  return first_broken({not_finite("azimuth", c.azimuth), negative("radius", "m", c.radius), not_finite("height", c.height),
+                       not_positive("length", "m", c.length), not_positive("line_density", "kg/m", c.line_density),
+                       negative("tip_mass", "kg", c.tip_mass)});
 }
 
 std::optional<BrokenLaw> broken_law(const Beam& b) {
-  return first_of({finite("root", b.root_height), positive("length", "m", b.length), positive("line_density", "kg/m", b.line_density),
-                   positive("bending_stiffness", "N m²", std::min(b.bending_stiffness[0], b.bending_stiffness[1])),
-                   not_negative("tip_mass", "kg", b.tip_mass)});
+  return first_broken({not_finite("root", b.root_height), not_positive("length", "m", b.length),
+                       not_positive("line_density", "kg/m", b.line_density),
+                       not_positive("bending_stiffness", "N m²", std::min(b.bending_stiffness[0], b.bending_stiffness[1])),
+                       negative("tip_mass", "kg", b.tip_mass)});
 }
 
 std::optional<BrokenLaw> broken_law(const SpringMass& m) {
-  if (const auto b = first_of({finite("position", m.position.sum()), positive("mass", "kg", m.mass)})) return b;
+  if (const auto b = first_broken({not_finite("position", m.position.sum()), not_positive("mass", "kg", m.mass)})) return b;
   for (Index i = 0; i < 3; ++i) {
     if (!(m.stiffness(i) > 0)) {
       return BrokenLaw{

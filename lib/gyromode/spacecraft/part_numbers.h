@@ -1,27 +1,11 @@
 #pragma once
 
-#include "gyromode/base/quantity.h"
+#include "gyromode/base/number_key.h"
 #include "gyromode/spacecraft/spacecraft.h"
 
 #include <span>
-#include <string_view>
 
 namespace gyromode {
-
-/// A key of one part of a spacecraft in model files, what it measures, and how it is written there.
-struct NumberKey {
-  enum class Form {
-    one,                  ///< a number
-    one_or_zero,          ///< a number, 0 where it is left out
-    on_axis_3,            ///< a place [0, 0, z], of which z is kept
-    several,              ///< an array
-    several_or_infinite,  ///< an array whose items may be infinite
-    symmetric             ///< three principal values, or the rows of a symmetric 3 × 3 matrix
-  };
-  std::string_view key;
-  Dimension dimension;
-  Form form = Form::one;
-};
 
 /// Calls see(NumberKey, std::span<double>) for every number of a part, in the order of docs/model-files.md: the one
 /// list of keys and dimensions, for readers and for parameters. Of a symmetric matrix the span has all nine entries.
@@ -35,10 +19,10 @@ template <class See>
 void each_number(Cable& c, See&& see) {
   see(NumberKey{"azimuth", Dimension::angle}, std::span(&c.azimuth, 1));
   see(NumberKey{"radius", Dimension::length}, std::span(&c.radius, 1));
-  see(NumberKey{"height", Dimension::length, NumberKey::Form::one_or_zero}, std::span(&c.height, 1));
+  see(NumberKey{"height", Dimension::length, NumberKey::Form::optional}, std::span(&c.height, 1));
   see(NumberKey{"length", Dimension::length}, std::span(&c.length, 1));
   see(NumberKey{"line_density", Dimension::line_density}, std::span(&c.line_density, 1));
-  see(NumberKey{"tip_mass", Dimension::mass, NumberKey::Form::one_or_zero}, std::span(&c.tip_mass, 1));
+  see(NumberKey{"tip_mass", Dimension::mass, NumberKey::Form::optional}, std::span(&c.tip_mass, 1));
 }
 
 template <class See>
@@ -47,7 +31,7 @@ void each_number(Beam& b, See&& see) {
   see(NumberKey{"length", Dimension::length}, std::span(&b.length, 1));
   see(NumberKey{"line_density", Dimension::line_density}, std::span(&b.line_density, 1));
   see(NumberKey{"bending_stiffness", Dimension::bending_stiffness, NumberKey::Form::several}, std::span(b.bending_stiffness, 2));
-  see(NumberKey{"tip_mass", Dimension::mass, NumberKey::Form::one_or_zero}, std::span(&b.tip_mass, 1));
+  see(NumberKey{"tip_mass", Dimension::mass, NumberKey::Form::optional}, std::span(&b.tip_mass, 1));
 }
 
 template <class See>

@@ -2,6 +2,7 @@
 
 #include "gyromode/appendage/mass_properties.h"
 #include "gyromode/appendage/parts.h"
+#include "gyromode/base/broken_law.h"
 #include "gyromode/base/labels.h"
 
 #include <optional>
@@ -16,11 +17,6 @@ struct Body {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< kg m², about its own centre of mass; off-diagonal entries −∫ xy dm …
 };
 
-/// A law that one part of a model breaks: at which key, and the law with the value.
-struct BrokenLaw {
-  std::string key;  ///< as in model files
-  std::string law;  ///< in words, with the value that breaks it
-};
 /// The first law that a part breaks, or nothing.
 std::optional<BrokenLaw> broken_law(const Body& body);
 std::optional<BrokenLaw> broken_law(const Cable& cable);

@@ -77,6 +77,14 @@ std::string repeated(char a, const Matrix& one, char b, const Matrix& other) {
   return fmt::format("{} is the same matrix as {}: was the wrong one given?", a, b);
 }
 
+// np.triu of a symmetric matrix, say: the other triangle is 0.
+std::string one_triangle(char name, const Matrix& a) {
+  const Matrix lower = a.triangularView<Eigen::StrictlyLower>(), upper = a.triangularView<Eigen::StrictlyUpper>();
+  if ((largest(lower) == 0) == (largest(upper) == 0)) return "";
+  return fmt::format(
+      "only one triangle of {} is given: write both, or use a format that says so (Matrix Market, symmetric or skew-symmetric)", name);
+}
+
 std::string remedy(const Matrix& dropped, const Matrix& whole, const char* part) {
   const double size = 2 * largest(dropped) / largest(whole);
   const double power = std::pow(10, std::floor(std::log10(size))), rounded = std::ceil(size / power) * power;
@@ -89,8 +97,9 @@ std::string diagnosis_of_gyroscopic(const Matrix& mass, const Matrix& g, const M
   if (const std::string words = exchanged(g, k); !words.empty()) return words;
   if (const std::string words = divided(mass, g, k); !words.empty()) return words;
   if (const std::string words = repeated('G', g, 'M', mass) + repeated('G', g, 'K', k); !words.empty()) return words;
+  if (const std::string words = one_triangle('G', g); !words.empty()) return words;
   const Matrix damping = symmetric_part(g);
-  const std::string skew_alone = remedy(damping, g, "skew");
+  const std::string skew_alone = largest(skew_part(g)) > 0 ? remedy(damping, g, "skew") : "it has no skew part that would be gyroscopic";
   if (g.rows() <= examined_up_to) {
     const Vector values = lapack::symmetric_eigenvalues(damping);
     const double tiny = alike * values.cwiseAbs().maxCoeff();
@@ -109,6 +118,7 @@ std::string diagnosis_of_gyroscopic(const Matrix& mass, const Matrix& g, const M
 std::string diagnosis_of_stiffness(const Matrix& mass, const Matrix& g, const Matrix& k) {
   if (const std::string words = exchanged(g, k); !words.empty()) return words;
   if (const std::string words = repeated('K', k, 'G', g); !words.empty()) return words;
+  if (const std::string words = one_triangle('K', k); !words.empty()) return words;
   const Matrix n = skew_part(k);
   const std::string symmetric_alone = remedy(n, k, "symmetric");
   Index pairs = 0, row = 0, column = 0;
@@ -132,6 +142,7 @@ std::string diagnosis_of_stiffness(const Matrix& mass, const Matrix& g, const Ma
 }
 
 std::string diagnosis_of_mass(const Matrix& mass, const Matrix& k) {
+  if (const std::string words = one_triangle('M', mass); !words.empty()) return words;
   if (k.rows() != mass.rows() || mass.rows() > examined_up_to || !symmetric(mass) || !symmetric(k)) return "";
   if (lapack::symmetric_eigenvalues(symmetric_part(k))(0) > 0 && lapack::symmetric_eigenvalues(symmetric_part(mass))(0) < 0)
     return "K is positive definite: were M and K exchanged?";

@@ -72,7 +72,8 @@ std::string Repair::in_words() const {
   std::string words = fmt::format("{} departs from {}symmetry by {:.2g} of its largest entry at ({},{}), and its {}symmetric part is used",
                                   matrix, skew ? "skew-" : "", departure, row + 1, column + 1, skew ? "skew-" : "");
   if (!largest_effect) return words;
-  words += fmt::format(": what was dropped changes no root listed by more than {:.2g} rad/s", *largest_effect);
+  words += asked ? fmt::format(": what was dropped changes the roots listed by up to some {:.2g} rad/s", *largest_effect)
+                 : fmt::format(": what was dropped changes no root listed by more than {:.2g} rad/s", *largest_effect);
   if (*largest_effect == 0) return words;
   const bool within = *largest_effect <= error_bound;
   return words + fmt::format(" (at ω = {:.6g}, {} its error bound {:.2g})", effect_at, within ? "within" : "BEYOND", error_bound);
@@ -96,6 +97,8 @@ std::optional<Repair> made_symmetric(std::string_view name, Matrix& a, int sign,
   a = std::move(kept);
   return r;
 }
+
+bool departs_by_rounding(const Matrix& a, int sign) { return departures(a, sign).worst.measure <= 1; }
 
 Matrix symmetric_part(const Matrix& a) { return 0.5 * a + 0.5 * a.transpose(); }
 Matrix skew_part(const Matrix& a) { return 0.5 * a - 0.5 * a.transpose(); }

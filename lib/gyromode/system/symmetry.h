@@ -57,6 +57,9 @@ struct Repair {
 std::optional<Repair> made_symmetric(std::string_view name, Matrix& a, int sign, const Admission& admission);
 
 /// ½(A + Aᵀ) and ½(A − Aᵀ).
+/// Whether a matrix is (skew-)symmetric but for what is let in as rounding.
+bool departs_by_rounding(const Matrix& a, int sign);
+
 Matrix symmetric_part(const Matrix& a);
 Matrix skew_part(const Matrix& a);
 

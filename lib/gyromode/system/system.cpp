@@ -42,10 +42,11 @@ AdmittedMatrices admitted(Matrix mass, Matrix gyroscopic, Matrix stiffness, Labe
     try {
       if (auto repair = made_symmetric(name, matrix, sign, admission)) a.repairs.push_back(std::move(*repair));
     } catch (const LawBroken& e) {
-      throw explained(e, diagnosis());
+      throw admission.strict && departs_by_rounding(matrix, sign) ? explained(e, "this is rounding, which is let in without --strict")
+                                                                  : explained(e, diagnosis());
     }
   };
-  admit("M", a.mass, 1, [] { return ""; });
+  admit("M", a.mass, 1, [&] { return diagnosis_of_mass(a.mass, a.stiffness); });
   admit("G", a.gyroscopic, -1, [&] { return diagnosis_of_gyroscopic(a.mass, a.gyroscopic, a.stiffness); });
   admit("K", a.stiffness, 1, [&] { return diagnosis_of_stiffness(a.mass, a.gyroscopic, a.stiffness); });
   return a;

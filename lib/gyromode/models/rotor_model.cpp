@@ -1,0 +1,52 @@
+#include "gyromode/models/rotor_model.h"
+
+#include "gyromode/models/family_parameters.h"
+#include "gyromode/models/part_parameters.h"
+#include "gyromode/rotor/part_numbers.h"
+
+namespace gyromode {
+
+namespace {
+
+// Every number of the parts.
+struct Numbers {
+  RotorParts& p;
+
+  template <class See>
+  void operator()(See&& see) {
+    see(std::string("speed"), Dimension::frequency, p.speed, static_cast<double*>(nullptr));
+    see(std::string("axial_force"), Dimension::force, p.axial_force, static_cast<double*>(nullptr));
+    for (Material& m : p.materials) each_parameter_of(m, "material." + m.name, see);
+    each_parameter_of_all(p.shafts, "shaft", see);
+    each_parameter_of_all(p.discs, "disk", see);
+    each_parameter_of_all(p.bearings, "bearing", see);
+    each_parameter_of_all(p.supports, "support", see);
+    each_parameter_of_all(p.point_masses, "point_mass", see);
+    for (Spool& s : p.spools) each_parameter_of(s, "spool." + s.name, see);
+  }
+};
+
+std::shared_ptr<const ModelKind> made_of(const Rotor& r) {
+  return model_of({std::make_shared<const SpinFamily>(assembled(r)), r.parts().speed});
+}
+
+}  // namespace
+
+RotorModel::RotorModel(Rotor rotor) : DelegatingModel(made_of(rotor)), rotor_(std::move(rotor)) {}
+
+std::vector<Parameter> RotorModel::parameters() const {
+  RotorParts parts = rotor_.parts();
+  return listed_parameters(Numbers{parts});
+}
+
+std::shared_ptr<const ModelKind> RotorModel::with(const std::vector<ParameterValue>& values) const {
+  RotorParts parts = rotor_.parts();
+  set_parameters(Numbers{parts}, values);
+  return std::make_shared<RotorModel>(Rotor(std::move(parts)));
+}
+
+std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> RotorModel::without_couplings(double tolerance) const {
+  return made()->without_couplings(tolerance);
+}
+
+}  // namespace gyromode

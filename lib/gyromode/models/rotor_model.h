@@ -1,0 +1,25 @@
+#pragma once
+
+#include "gyromode/models/delegating_model.h"
+#include "gyromode/rotor/rotor.h"
+
+namespace gyromode {
+
+/// Shafts with discs and bearings in fixed axes, by finite elements. Its parameters are the numbers of its parts, and
+/// the speed.
+class RotorModel : public DelegatingModel {
+ public:
+  /// @throws LawBroken
+  explicit RotorModel(Rotor rotor);
+
+  const Rotor& rotor() const { return rotor_; }
+  std::string_view in_words() const override { return "rotor"; }
+  std::vector<Parameter> parameters() const override;
+  std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
+  std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> without_couplings(double tolerance) const override;
+
+ private:
+  Rotor rotor_;
+};
+
+}  // namespace gyromode
