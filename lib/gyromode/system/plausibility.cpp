@@ -15,15 +15,15 @@ namespace gyromode {
 
 namespace {
 
-constexpr double alike = 1e-6;         // relative: what people copy and print agrees to this
-constexpr Index examined_up_to = 300;  // eigenvalues of more cost a part of the solve
+constexpr double as_printed = 1e-6;      // relative: what people copy and print agrees to this
+constexpr Index affordable_up_to = 300;  // eigenvalues of more cost a part of the solve
 
-double largest(const Matrix& a) { return a.size() == 0 ? 0 : a.cwiseAbs().maxCoeff(); }
+double size_of(const Matrix& a) { return a.size() == 0 ? 0 : a.cwiseAbs().maxCoeff(); }
 
 bool softens(const Matrix& k2) {
-  if (largest(k2) == 0 || k2.rows() > examined_up_to || largest(skew_part(k2)) > alike * largest(k2)) return false;
+  if (size_of(k2) == 0 || k2.rows() > affordable_up_to || size_of(skew_part(k2)) > as_printed * size_of(k2)) return false;
   const Vector values = lapack::symmetric_eigenvalues(symmetric_part(k2));
-  return values(values.size() - 1) <= alike * largest(k2);
+  return values(values.size() - 1) <= as_printed * size_of(k2);
 }
 
 // c of G₁ᵀM⁻¹G₁ = −c²K₂, or 0 where there is none.
@@ -33,7 +33,7 @@ double coriolis_factor(const SpinFamily& f) {
   const Matrix half = mass.solve(f.gyroscopic_per_spin);
   const Matrix product = f.gyroscopic_per_spin.transpose() * half;
   const double factor = -product.cwiseProduct(f.stiffness_per_spin2).sum() / f.stiffness_per_spin2.squaredNorm();
-  if (!(factor > 0) || largest(product + factor * f.stiffness_per_spin2) > alike * largest(product)) return 0;
+  if (!(factor > 0) || size_of(product + factor * f.stiffness_per_spin2) > as_printed * size_of(product)) return 0;
   return std::sqrt(factor);
 }
 
@@ -54,24 +54,24 @@ const std::array<Factor, 7> named_factors{{{2 * pi, "Hz given or meant where rad
 
 std::vector<std::string> doubts_on(const SpinFamily& f) {
   if (!softens(f.stiffness_per_spin2)) return {};
-  if (largest(f.gyroscopic_per_spin) == 0 && largest(f.gyroscopic) == 0) {
+  if (size_of(f.gyroscopic_per_spin) == 0 && size_of(f.gyroscopic) == 0) {
     return {
         "stiffness_per_spin2 softens with the spin, as in turning axes, and there is no gyroscopic_per_spin: in turning axes Coriolis "
         "forces belong to it, in fixed ones neither does"};
   }
-  if (largest(f.gyroscopic_per_spin) == 0) return {};
+  if (size_of(f.gyroscopic_per_spin) == 0) return {};
   const double c = coriolis_factor(f);
-  if (c == 0 || std::abs(c - 2) <= alike) return {};
+  if (c == 0 || std::abs(c - 2) <= as_printed) return {};
   return {
       fmt::format("gyroscopic_per_spin is {:.4g} of the Coriolis forces 2ΩM that belong to the softening of stiffness_per_spin2{}: is a "
                   "factor missing?",
-                  0.5 * c, std::abs(c - 1) <= alike ? " (ΩM)" : "")};
+                  0.5 * c, std::abs(c - 1) <= as_printed ? " (ΩM)" : "")};
 }
 
 std::vector<std::string> doubts_on(const System& s) {
-  if (s.size() > examined_up_to || largest(s.gyroscopic()) > 0 || largest(s.stiffness()) == 0) return {};
+  if (s.size() > affordable_up_to || size_of(s.gyroscopic()) > 0 || size_of(s.stiffness()) == 0) return {};
   const Vector values = lapack::symmetric_eigenvalues(s.stiffness());
-  if (values(0) >= -alike * largest(s.stiffness())) return {};
+  if (values(0) >= -as_printed * size_of(s.stiffness())) return {};
   return {"K is indefinite and G = 0: if K holds the softening of turning axes (−Ω²M), their Coriolis forces are missing"};
 }
 
