@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path folder = fs::path(GYROMODE_SOURCE_DIR) / "models" / "rotors";
-constexpr double rpm = std::numbers::pi / 30;
+constexpr double per_minute = std::numbers::pi / 30;
 
 std::vector<double> positive(const Model& m, Index lowest) {
   ModesOptions options;
@@ -50,7 +50,7 @@ TEST(ShippedRotors, KnownFrequenciesAndVerdicts) {
 // − (ω²m, …)] in closed form: 12k(k − …); here by the 2 × 2 flexibility [L³/3, L²/2; L²/2, L]/EI in the rotating plane,
 // I_dω² ∓ I_pΩω in the place of the moment of inertia.
 TEST(ShippedRotors, OverhungDiscHasItsClosedForm) {
-  const double l = 0.3, ei = 2.1e11 * std::numbers::pi / 64 * std::pow(0.03, 4), m = 12, ip = 0.12, id = 0.07, speed = 6000 * rpm;
+  const double l = 0.3, ei = 2.1e11 * std::numbers::pi / 64 * std::pow(0.03, 4), m = 12, ip = 0.12, id = 0.07, speed = 6000 * per_minute;
   const auto characteristic = [&](double w, double sense) {
     const double force = m * w * w, moment = id * w * w - sense * ip * speed * w;
     const double a = 1 - force * l * l * l / (3 * ei), b = -moment * l * l / (2 * ei), c = -force * l * l / (2 * ei),
@@ -70,11 +70,11 @@ TEST(ShippedRotors, OverhungDiscHasItsClosedForm) {
 TEST(ShippedRotors, FreeShaftPrecessesAtTheRatioOfItsInertias) {
   const double squares = 0.06 * 0.06 + 0.04 * 0.04, polar = squares / 8, diametral = squares / 16 + 1.0 / 12;
   const std::vector<double> found = positive(read_model(folder / "free_shaft.toml"), 3);
-  EXPECT_NEAR(found[0], 10000 * rpm * polar / diametral, 1e-5 * found[0]);
+  EXPECT_NEAR(found[0], 10000 * per_minute * polar / diametral, 1e-5 * found[0]);
 }
 
 TEST(ShippedRotors, MomentumWheelRocksAndNutates) {
-  const double a = 0.09, b = 0.16 * 5000 * rpm, c = 1e4, root = std::sqrt(b * b + 4 * a * c);
+  const double a = 0.09, b = 0.16 * 5000 * per_minute, c = 1e4, root = std::sqrt(b * b + 4 * a * c);
   const std::vector<double> found = positive(read_model(folder / "momentum_wheel.toml"), 4);
   EXPECT_NEAR(found[0], (root - b) / (2 * a), 1e-3 * found[0]);
   EXPECT_NEAR(found[1], std::sqrt(1e6 / 8), 1e-3 * found[1]);
