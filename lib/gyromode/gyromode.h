@@ -22,6 +22,7 @@
 #include "gyromode/structure/realify.h"
 #include "gyromode/structure/structure.h"
 #include "gyromode/structure/symmetry_words.h"
+#include "gyromode/sweep/critical_speeds.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/spin_family.h"
 #include "gyromode/system/system.h"

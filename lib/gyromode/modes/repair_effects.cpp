@@ -27,13 +27,13 @@ class ZeroModes {
  public:
   /// `roots` may be those of a whole with massless coordinates; F is that of the system alone, too.
   ZeroModes(const System& s, const RootVectors& of_system, const RootVectors& roots, const Matrix& shapes) : roots_(roots), z_(shapes) {
+    if (const Condensation* whole = roots.whole()) {
+      z_.resize(static_cast<Index>(whole->labels.size()), shapes.cols());
+      for (Index k = 0; k < shapes.cols(); ++k) z_.col(k) = whole->expanded(0, shapes.col(k).cast<Complex>()).real();
+    }
     if (none()) return;
     const Matrix image = s.gyroscopic() * shapes;
     inertia_ = shapes.transpose() * s.mass() * shapes + image.transpose() * of_system.compliance_times(image);
-    const Condensation* whole = roots.whole();
-    if (!whole) return;
-    z_.resize(static_cast<Index>(whole->labels.size()), shapes.cols());
-    for (Index k = 0; k < shapes.cols(); ++k) z_.col(k) = whole->expanded(0, shapes.col(k).cast<Complex>()).real();
   }
 
   bool none() const { return z_.cols() == 0; }

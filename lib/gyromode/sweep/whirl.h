@@ -1,0 +1,30 @@
+#pragma once
+
+#include "gyromode/base/types.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace gyromode {
+
+/// Which way a station goes round its orbit, seen with the rotation of the shaft.
+enum class Whirl {
+  forward,   ///< with it
+  backward,  ///< against it
+  mixed,     ///< some stations this way, others that way
+  planar     ///< along a line
+};
+std::string_view to_string(Whirl whirl);
+
+/// Two coordinates that are displacements of one place across the axis, along x and y.
+struct OrbitCoordinates {
+  Index x = 0, y = 0;
+};
+
+/// Of a motion Re(X e^{jωt}), ω > 0, of places that turn about z with speed > 0: x = cos ωt, y = sin ωt is forward. An
+/// orbit of an aspect ratio below 10⁻⁶ is a line; places that move less than 10⁻⁶ of the largest are passed over.
+/// Nothing where there are no places.
+std::optional<Whirl> whirl_of(const ComplexVector& shape, const std::vector<OrbitCoordinates>& places);
+
+}  // namespace gyromode
