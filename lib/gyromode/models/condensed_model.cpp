@@ -103,6 +103,11 @@ StabilityReport CondensedModel::stability(const Progress& progress) const {
   return r;
 }
 
+CriticalSpeeds CondensedModel::critical_speeds(const CriticalOptions& options) const {
+  if (!matrices_.family || !matrices_.spin) return ModelKind::critical_speeds(options);
+  return gyromode::critical_speeds(*matrices_.family, options);
+}
+
 StructureReport CondensedModel::structure(std::optional<double> at) const {
   if (at)
     throw NotApplicable("--at: H(ω) of a model with massless coordinates is that of its condensed matrices, which gyromode convert writes");

@@ -20,6 +20,7 @@ class DelegatingModel : public ModelKind {
   ModesResult verdict(bool with_shapes, const Progress& progress) const override { return made_->verdict(with_shapes, progress); }
   StabilityReport stability(const Progress& progress) const override { return made_->stability(progress); }
   StructureReport structure(std::optional<double> at) const override { return made_->structure(at); }
+  CriticalSpeeds critical_speeds(const CriticalOptions& options) const override { return made_->critical_speeds(options); }
   void require_motion() const override { made_->require_motion(); }
   ResponseReport response(const MotionRequest& request) const override { return made_->response(request); }
   FrequencyReport frequency_response(const FrequencyRequest& request) const override { return made_->frequency_response(request); }

@@ -50,6 +50,11 @@ std::vector<std::string> MatricesModel::doubts() const {
   return all.empty() ? doubts_on(system_) : all;
 }
 
+CriticalSpeeds MatricesModel::critical_speeds(const CriticalOptions& options) const {
+  if (!matrices_.family || !matrices_.spin) return ModelKind::critical_speeds(options);
+  return gyromode::critical_speeds(*matrices_.family, options);
+}
+
 StructureReport MatricesModel::structure(std::optional<double> at) const {
   StructureReport r;
   r.structure = analyse(system_, HiddenSearch::always);

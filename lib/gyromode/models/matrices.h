@@ -32,6 +32,7 @@ class MatricesModel : public ModelKind {
   CountResult count(const Window& window) const override;
   StabilityReport stability(const Progress& progress) const override;
   StructureReport structure(std::optional<double> at) const override;
+  CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
   void require_motion() const override {}
   ResponseReport response(const MotionRequest& request) const override;
   FrequencyReport frequency_response(const FrequencyRequest& request) const override;

@@ -36,6 +36,7 @@ StabilityReport Model::stability(const Progress& progress) const { return body->
 StabilityMap Model::stability_over(const std::vector<ParameterAxis>& axes, const Progress& progress) const {
   return gyromode::stability_over(*body, axes, progress);
 }
+CriticalSpeeds Model::critical_speeds(const CriticalOptions& options) const { return body->critical_speeds(options); }
 StructureReport Model::structure(std::optional<double> at) const { return body->structure(at); }
 ResponseReport Model::response(const MotionRequest& request) const { return body->response(request); }
 FrequencyReport Model::frequency_response(const FrequencyRequest& request) const { return body->frequency_response(request); }

@@ -6,6 +6,7 @@
 #include "gyromode/models/requests.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/spacecraft/spacecraft.h"
+#include "gyromode/sweep/critical_speeds.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/spin_family.h"
 #include "gyromode/system/system.h"
@@ -72,6 +73,9 @@ struct Model {
   /// The verdict over a grid of one or two parameters, with critical values. @throws InvalidArgument where a key names
   /// no parameter
   StabilityMap stability_over(const std::vector<ParameterAxis>& axes, const Progress& progress = {}) const;
+  /// Speeds at which a mode has a multiple of the speed as its frequency, in the axes of the model, by one pencil.
+  /// @throws NotApplicable for models that do not say how they depend on the speed
+  CriticalSpeeds critical_speeds(const CriticalOptions& options = {}) const;
   /// What class it is in and why; with `at` (rad per unit of time, above 0 for a spacecraft) H there, the
   /// transformation and H*.
   StructureReport structure(std::optional<double> at = std::nullopt) const;

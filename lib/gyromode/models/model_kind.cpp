@@ -35,6 +35,12 @@ FrequencyReport ModelKind::frequency_response(const FrequencyRequest&) const {
   throw NotApplicable("--frequencies is for matrix models of second order (gyromode convert writes the matrices of a spacecraft)");
 }
 
+CriticalSpeeds ModelKind::critical_speeds(const CriticalOptions&) const {
+  throw NotApplicable(
+      "critical speeds need a rotor, or matrices with 'spin' and 'gyroscopic_per_spin' (M, G₁, K₀, K₂): this model does not say how it "
+      "depends on the speed");
+}
+
 std::optional<Parameter> ModelKind::parameter(std::string_view key) const {
   for (Parameter& p : parameters()) {
     if (names(key, p.key)) return std::move(p);

@@ -5,6 +5,7 @@
 #include "gyromode/models/reports.h"
 #include "gyromode/models/requests.h"
 #include "gyromode/modes/modes.h"
+#include "gyromode/sweep/critical_speeds.h"
 
 #include <memory>
 #include <optional>
@@ -45,6 +46,9 @@ class ModelKind {
 
   /// What looks like a mistake though it is lawful, for people.
   virtual std::vector<std::string> doubts() const { return {}; }
+
+  /// Throws NotApplicable unless it is a family of matrices with a spin.
+  virtual CriticalSpeeds critical_speeds(const CriticalOptions& options) const;
 
   /// The numbers it is made of, those worth listing; further ones may be named.
   virtual std::vector<Parameter> parameters() const { return {}; }

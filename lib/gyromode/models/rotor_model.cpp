@@ -26,13 +26,24 @@ struct Numbers {
   }
 };
 
-std::shared_ptr<const ModelKind> made_of(const Rotor& r) {
-  return model_of({std::make_shared<const SpinFamily>(assembled(r)), r.parts().speed});
+std::vector<OrbitCoordinates> orbits_of(const Rotor& r) {
+  std::vector<OrbitCoordinates> places;
+  for (const Station& s : r.stations()) {
+    if (s.coordinate[0] >= 0 && s.coordinate[1] >= 0) places.push_back({s.coordinate[0], s.coordinate[1]});
+  }
+  return places;
 }
 
 }  // namespace
 
-RotorModel::RotorModel(Rotor rotor) : DelegatingModel(made_of(rotor)), rotor_(std::move(rotor)) {}
+RotorModel::RotorModel(Rotor rotor)
+    : DelegatingModel(model_of({std::make_shared<const SpinFamily>(assembled(rotor)), rotor.parts().speed})),
+      rotor_(std::move(rotor)),
+      family_(assembled(rotor_)) {}
+
+CriticalSpeeds RotorModel::critical_speeds(const CriticalOptions& options) const {
+  return gyromode::critical_speeds(family_, options, orbits_of(rotor_));
+}
 
 std::vector<Parameter> RotorModel::parameters() const {
   RotorParts parts = rotor_.parts();

@@ -14,12 +14,14 @@ class RotorModel : public DelegatingModel {
 
   const Rotor& rotor() const { return rotor_; }
   std::string_view in_words() const override { return "rotor"; }
+  CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
   std::vector<Parameter> parameters() const override;
   std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
   std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> without_couplings(double tolerance) const override;
 
  private:
   Rotor rotor_;
+  SpinFamily family_;
 };
 
 }  // namespace gyromode

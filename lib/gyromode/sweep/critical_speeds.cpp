@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gyromode {
 
@@ -95,6 +96,7 @@ CriticalSpeeds critical_speeds(const SpinFamily& family, const CriticalOptions& 
   CriticalOptions o = options;
   const Structure structure = structure_of(family);
   CriticalSpeeds all;
+  all.order = o.order;
   Tally tally;
   for (const Component& c : structure.components) {
     const SpeedPencil pencil(family, o.order, c.coordinates, c.in_quadrature, c.quadrature());

@@ -29,6 +29,7 @@ struct CriticalOptions {
 
 /// All critical speeds of a window, from one pencil.
 struct CriticalSpeeds {
+  double order = 1;                   ///< as asked
   std::vector<CriticalSpeed> speeds;  ///< ascending
   Index not_physical = 0;             ///< roots with Ω² < 0, or not real
   Coverage coverage;                  ///< complete: counted by factorisations of K₀ − Ω²B

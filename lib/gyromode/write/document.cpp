@@ -46,6 +46,9 @@ std::string document(const Model& model, const CountResult& result, const Timing
 std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format) {
   return written("structure", model, report, timings, format);
 }
+std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, Format format) {
+  return written("critical", model, speeds, timings, format);
+}
 std::string document(const Model& model, const StabilityReport& report, const Timings& timings, Format format) {
   return written("stability", model, report, timings, format);
 }

@@ -36,6 +36,7 @@ std::string document(const Model& model, const CountResult& result, const Timing
 std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format);
 std::string document(const Model& model, const ResponseReport& report, const Timings& timings, Format format);
 std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, Format format);
+std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, Format format);
 std::string document(const Model& model, const StabilityReport& report, const Timings& timings, Format format);
 
 }  // namespace gyromode

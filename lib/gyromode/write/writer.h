@@ -77,6 +77,7 @@ std::unique_ptr<Writer> writer(std::string_view kind, const Model& model, const 
 void describe(const Model& model, const ModesResult& result, Writer& w);
 void describe(const Model& model, const CountResult& result, Writer& w);
 void describe(const Model& model, const StructureReport& report, Writer& w);
+void describe(const Model& model, const CriticalSpeeds& speeds, Writer& w);
 void describe(const Model& model, const StabilityReport& report, Writer& w);
 void describe(const Model& model, const ResponseReport& report, Writer& w);
 void describe(const Model& model, const FrequencyReport& report, Writer& w);

@@ -1,0 +1,60 @@
+#include "errors.h"
+#include "job.h"
+#include "verbs.h"
+
+#include "gyromode/base/number.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace gyromode::app {
+
+namespace {
+
+struct Options {
+  ModelSource source;
+  WindowOption window;
+  OutputOption output;
+  std::string order = "1";
+  std::optional<Index> lowest;
+};
+
+ExitCode run(const Options& o) {
+  CriticalOptions options;
+  const Parsed order = parse_real(o.order);
+  if (order.outcome != Parsed::ok || !(order.value >= 0))
+    throw UsageError(fmt::format("--order {}: a multiple of the speed was expected, such as 1, 2 or 0.5", o.order));
+  options.order = order.value;
+  options.window = o.window.read();
+  options.lowest = o.lowest;
+  Job job(o.source, o.output);
+  const CriticalSpeeds result = job.answer([&](const Model& m) { return m.critical_speeds(options); });
+  o.output.write(document(job.model(), result, job.timings(), o.output.chosen()));
+  if (result.coverage.status == CoverageStatus::complete) return ExitCode::done;
+  o.output.say(fmt::format("not certified complete: {}", result.coverage.reason));
+  return ExitCode::not_certified;
+}
+
+}  // namespace
+
+void add_critical(CLI::App& program, int& code) {
+  CLI::App* verb = program.add_subcommand(
+      "critical", "Critical speeds: where a mode has a multiple of the speed as its frequency, all of a range, without a sweep");
+  auto o = std::make_shared<Options>();
+  o->source.add_to(*verb);
+  verb->add_option("--order", o->order, "The multiple m of an excitation mΩ, in the axes of the model: 1 is unbalance in fixed axes")
+      ->type_name("M")
+      ->capture_default_str();
+  auto* lowest = verb->add_option("--lowest", o->lowest, "Only the N lowest")->type_name("N")->check(CLI::PositiveNumber);
+  o->window.add_to(*verb);
+  for (const char* name : {"--below", "--window"}) lowest->excludes(verb->get_option(name));
+  o->output.add_to(*verb);
+  verb->footer(
+      "Examples:\n  gyromode critical models/rotors/two_discs.toml --lowest 6\n"
+      "  gyromode critical models/rotors/overhung_disc.toml --below 20000rpm --format json\n"
+      "  gyromode critical models/rotors/two_discs.toml --order 0.5 --below 6000rpm");
+  verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
+}
+
+}  // namespace gyromode::app
