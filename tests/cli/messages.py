@@ -94,6 +94,21 @@ said(0, "'u_x [mm]' is in mm: with K in N/mm the masses are in t", "modes", "m.t
 said(0, "lower by 31.62 than those known of the model: mm and N with kg", "modes", "m.toml", model=ONE + "known = {frequencies = [63.2456, 94.8683]}\n")
 said(0, "higher by 6.283 than those known of the model: Hz given", "modes", "m.toml", model=ONE + "known = {frequencies = [0.31831, 0.477465]}\n")
 silent("modes", "m.toml", model=ONE + "known = {frequencies = [2, 3]}\n")
+# Rotors and critical speeds
+ROTOR = (models / "rotors" / "two_discs.toml").read_text()
+said(3, "disk 2: position 2 m is off the shaft, which reaches from 0 to 1.5 m", "modes", "m.toml", model=ROTOR.replace("position = 1.0", "position = 2.0"))
+said(3, "'kyx' = 5 must equal 'kxy' = 0: an unsymmetric pair is circulatory", "modes", "m.toml", model=ROTOR.replace("kyy = 1e6", "kyy = 1e6\nkyx = 5"))
+said(3, "'cxx' = 10 is damping, which is not served", "modes", "m.toml", model=ROTOR.replace("kyy = 1e6", "kyy = 1e6\ncxx = 10"))
+said(3, "material 'stel' is not given: a table [material.stel] was expected: did you mean 'steel'?", "modes", "m.toml", model=ROTOR.replace('material = "steel"', 'material = "stel"', 1))
+said(2, "m.toml:12: key 'outer_diameter' is missing", "modes", "m.toml", model=ROTOR.replace('outer_diameter = "50 mm"', "", 1))
+said(2, "'elements' = 2.5: a whole number was expected", "modes", "m.toml", model=ROTOR.replace("elements = 6", "elements = 2.5"))
+said(2, "'bernoulli' is no theory of shafts: timoshenko, rayleigh or euler", "modes", "m.toml", model=ROTOR.replace("elements = 6", 'elements = 6\ntheory = "bernoulli"'))
+said(2, "one of 'shear' (shear modulus) and 'poisson'", "modes", "m.toml", model=ROTOR.replace("shear = 81.2e9", ""))
+said(3, "'LP' is no spool of the rotor", "modes", "m.toml", model=ROTOR.replace("kyy = 1e6", 'kyy = 1e6\nto = "LP"'))
+said(2, "'z' is no direction: \"x\", \"y\"", "modes", "m.toml", model=ROTOR.replace("[known]", '[[support]]\nposition = 0\nfixed = ["z"]\n[known]'))
+said(3, "critical speeds need a rotor, or matrices with 'spin'", "critical", "m.toml")
+said(1, "--order x: a multiple of the speed was expected", "critical", "m.toml", "--order", "x", model=ROTOR)
+said(0, "  2   86.9042", "critical", "m.toml", "--lowest", "4", model=ROTOR)
 # The file at fault, of three
 WIRES = [str(models / "wiresaw" / f"{m}.mtx") for m in "MGK"]
 said(3, "M.mtx: G must satisfy G = −Gᵀ: the diagonal entry (1,1) = 0.5 must be 0, it is 1e+02 % of the largest entry; G is the same matrix as M: was", "modes", "--mass", WIRES[0], "--gyroscopic", WIRES[0], "--stiffness", WIRES[2])

@@ -47,7 +47,7 @@ MatrixPlace matrix_place(const std::filesystem::path& written);
 /// nobody asks for may be anything.
 template <class Read>
 NamedMatrix matrix_or_reason(const std::string& name, const std::filesystem::path& file, Read&& read) {
-  const auto reason = [&](std::string what) {
+  const auto reason = [&](const std::string& what) {
     const std::string prefix = file.string() + ": ";
     return "is not read: " + (what.starts_with(prefix) ? what.substr(prefix.size()) : what);
   };

@@ -65,26 +65,36 @@ struct PointMass {
 /// Springs between the rotor and the ground, or two spools: kxx x + kxy y along x, kxy x + kyy y along y, and likewise
 /// moments by tilts. Infinite ones pin. With a housing the springs lead to it, and it stands on springs of its own.
 struct Bearing {
-  double position = 0;                                        ///< m
-  double kxx = 0, kyy = 0, kxy = 0;                           ///< N/m
-  double tilt_xx = 0, tilt_yy = 0, tilt_xy = 0;               ///< N m/rad, of rotations about x and y
-  double housing_mass = 0, housing_kxx = 0, housing_kyy = 0;  ///< kg, N/m; all 0: none
-  std::string spool;                                          ///< that it carries
-  std::string to;                                             ///< the spool it stands on; empty: the ground
+  double position = 0;      ///< m
+  double kxx = 0;           ///< N/m, along x
+  double kyy = 0;           ///< N/m, along y
+  double kxy = 0;           ///< N/m, of either direction by the other
+  double tilt_xx = 0;       ///< N m/rad, of rotations about x
+  double tilt_yy = 0;       ///< N m/rad, of rotations about y
+  double tilt_xy = 0;       ///< N m/rad, of either by the other
+  double housing_mass = 0;  ///< kg; with the next two 0: there is no housing
+  double housing_kxx = 0;   ///< N/m, between housing and ground along x
+  double housing_kyy = 0;   ///< N/m, along y
+  std::string spool;        ///< that it carries
+  std::string to;           ///< the spool it stands on; empty: the ground
 
+  /// Whether it stands in a housing.
   bool has_housing() const { return housing_mass != 0 || housing_kxx != 0 || housing_kyy != 0; }
 };
 
 /// Coordinates that do not move.
 struct Support {
-  double position = 0;                                        ///< m
-  bool x = false, y = false, tilt_x = false, tilt_y = false;  ///< which
-  std::string spool;                                          ///< as of a section
+  double position = 0;  ///< m
+  bool x = false;       ///< whether the displacement along x is held
+  bool y = false;       ///< along y
+  bool tilt_x = false;  ///< the rotation about x
+  bool tilt_y = false;  ///< about y
+  std::string spool;    ///< as of a section
 };
 
 /// One of the shafts that turn about the common axis.
 struct Spool {
-  std::string name;
+  std::string name;        ///< as its parts call it
   double speed_ratio = 1;  ///< its speed over that of the rotor
   double start = 0;        ///< m, the lower end of its first section
 };

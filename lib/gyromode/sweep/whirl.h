@@ -19,7 +19,8 @@ std::string_view to_string(Whirl whirl);
 
 /// Two coordinates that are displacements of one place across the axis, along x and y.
 struct OrbitCoordinates {
-  Index x = 0, y = 0;
+  Index x = 0;  ///< position of the displacement along x
+  Index y = 0;  ///< along y
 };
 
 /// Of a motion Re(X e^{jωt}), ω > 0, of places that turn about z with speed > 0: x = cos ωt, y = sin ωt is forward. An
