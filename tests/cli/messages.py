@@ -106,6 +106,7 @@ said(2, "'bernoulli' is no theory of shafts: timoshenko, rayleigh or euler", "mo
 said(2, "one of 'shear' (shear modulus) and 'poisson'", "modes", "m.toml", model=ROTOR.replace("shear = 81.2e9", ""))
 said(3, "'LP' is no spool of the rotor", "modes", "m.toml", model=ROTOR.replace("kyy = 1e6", 'kyy = 1e6\nto = "LP"'))
 said(2, "'z' is no direction: \"x\", \"y\"", "modes", "m.toml", model=ROTOR.replace("[known]", '[[support]]\nposition = 0\nfixed = ["z"]\n[known]'))
+said(0, "parts at 1 and 1.00001 m are 1e-05 m apart", "modes", "m.toml", model=ROTOR.replace("[known]", "[[point_mass]]\nposition = 1.00001\nmass = 1\n[known]"))
 said(3, "critical speeds need a rotor, or matrices with 'spin'", "critical", "m.toml")
 said(1, "--order x: a multiple of the speed was expected", "critical", "m.toml", "--order", "x", model=ROTOR)
 said(0, "  2   86.9042", "critical", "m.toml", "--lowest", "4", model=ROTOR)

@@ -16,7 +16,7 @@ std::optional<BrokenLaw> negative(const char* key, const char* unit, double valu
   return BrokenLaw{key, fmt::format("'{}' must not be below 0: it is {:.6g} {}", key, value, unit)};
 }
 
-std::optional<BrokenLaw> not_finite(const char* key, double value) {
+std::optional<BrokenLaw> not_a_finite_number(const char* key, double value) {
   if (std::isfinite(value)) return std::nullopt;
   return BrokenLaw{key, fmt::format("'{}' must be finite: it is {}", key, value)};
 }

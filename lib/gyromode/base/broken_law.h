@@ -15,7 +15,7 @@ struct BrokenLaw {
 /// Laws of single numbers; nothing where they are kept. `unit` follows the value.
 std::optional<BrokenLaw> not_positive(const char* key, const char* unit, double value);
 std::optional<BrokenLaw> negative(const char* key, const char* unit, double value);
-std::optional<BrokenLaw> not_finite(const char* key, double value);
+std::optional<BrokenLaw> not_a_finite_number(const char* key, double value);
 /// The first that is broken.
 std::optional<BrokenLaw> first_broken(std::initializer_list<std::optional<BrokenLaw>> laws);
 

@@ -24,7 +24,7 @@ class DelegatingModel : public ModelKind {
   void require_motion() const override { made_->require_motion(); }
   ResponseReport response(const MotionRequest& request) const override { return made_->response(request); }
   FrequencyReport frequency_response(const FrequencyRequest& request) const override { return made_->frequency_response(request); }
-  std::vector<std::string> doubts() const override { return made_->doubts(); }
+  std::vector<std::string> doubts(bool fixed_axes) const override { return made_->doubts(fixed_axes); }
   const System* second_order() const override { return made_->second_order(); }
   std::vector<NamedMatrix> matrices() const override { return made_->matrices(); }
   std::optional<IgnoredCouplings> left_out() const override { return made_->left_out(); }

@@ -45,7 +45,8 @@ StabilityReport MatricesModel::stability(const Progress& progress) const {
   return r;
 }
 
-std::vector<std::string> MatricesModel::doubts() const {
+std::vector<std::string> MatricesModel::doubts(bool fixed_axes) const {
+  if (fixed_axes) return {};  // softening there is none of turning axes
   std::vector<std::string> all = matrices_.family ? doubts_on(*matrices_.family) : std::vector<std::string>{};
   return all.empty() ? doubts_on(system_) : all;
 }

@@ -36,7 +36,7 @@ class MatricesModel : public ModelKind {
   void require_motion() const override {}
   ResponseReport response(const MotionRequest& request) const override;
   FrequencyReport frequency_response(const FrequencyRequest& request) const override;
-  std::vector<std::string> doubts() const override;
+  std::vector<std::string> doubts(bool fixed_axes) const override;
   std::vector<Parameter> parameters() const override;
   std::optional<Parameter> parameter(std::string_view key) const override;
   std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;

@@ -41,7 +41,7 @@ StructureReport Model::structure(std::optional<double> at) const { return body->
 ResponseReport Model::response(const MotionRequest& request) const { return body->response(request); }
 FrequencyReport Model::frequency_response(const FrequencyRequest& request) const { return body->frequency_response(request); }
 std::vector<std::string> Model::doubts() const {
-  std::vector<std::string> all = frame == Frame::fixed ? std::vector<std::string>{} : body->doubts();
+  std::vector<std::string> all = body->doubts(frame == Frame::fixed);
   for (std::string& doubt : doubts_on(labels())) all.push_back(std::move(doubt));
   return all;
 }

@@ -44,8 +44,8 @@ class ModelKind {
   virtual ResponseReport response(const MotionRequest& request) const;
   virtual FrequencyReport frequency_response(const FrequencyRequest& request) const;
 
-  /// What looks like a mistake though it is lawful, for people.
-  virtual std::vector<std::string> doubts() const { return {}; }
+  /// What looks like a mistake though it is lawful, for people; `fixed_axes`: they are said to be.
+  virtual std::vector<std::string> doubts(bool fixed_axes [[maybe_unused]]) const { return {}; }
 
   /// Throws NotApplicable unless it is a family of matrices with a spin.
   virtual CriticalSpeeds critical_speeds(const CriticalOptions& options) const;

@@ -4,6 +4,10 @@
 #include "gyromode/models/part_parameters.h"
 #include "gyromode/rotor/part_numbers.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace gyromode {
 
 namespace {
@@ -40,6 +44,23 @@ RotorModel::RotorModel(Rotor rotor)
     : DelegatingModel(model_of({std::make_shared<const SpinFamily>(assembled(rotor)), rotor.parts().speed})),
       rotor_(std::move(rotor)),
       family_(assembled(rotor_)) {}
+
+// The stiffness of an element goes with 1/l³: one a hundredth of the shaft's diameter long takes some six digits.
+std::vector<std::string> RotorModel::doubts(bool fixed_axes) const {
+  constexpr double short_to = 0.01;
+  std::vector<std::string> all = DelegatingModel::doubts(fixed_axes);
+  double thickest = 0;
+  for (const ShaftSection& s : rotor_.parts().shafts) thickest = std::max({thickest, s.outer_diameter[0], s.outer_diameter[1]});
+  const std::vector<Station>& stations = rotor_.stations();
+  for (std::size_t k = 0; k + 1 < stations.size(); ++k) {
+    const double length = stations[k + 1].position - stations[k].position;
+    if (stations[k].spool != stations[k + 1].spool || length > short_to * thickest) continue;
+    all.push_back(
+        fmt::format("parts at {:.9g} and {:.9g} m are {:.3g} m apart, and so short an element costs digits: put them at one place",
+                    stations[k].position, stations[k + 1].position, length));
+  }
+  return all;
+}
 
 CriticalSpeeds RotorModel::critical_speeds(const CriticalOptions& options) const {
   return gyromode::critical_speeds(family_, options, orbits_of(rotor_));

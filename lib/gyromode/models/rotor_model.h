@@ -14,6 +14,8 @@ class RotorModel : public DelegatingModel {
 
   const Rotor& rotor() const { return rotor_; }
   std::string_view in_words() const override { return "rotor"; }
+  /// Stations so near to each other that the element between them costs digits.
+  std::vector<std::string> doubts(bool fixed_axes) const override;
   CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
   std::vector<Parameter> parameters() const override;
   std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;

@@ -15,7 +15,7 @@ std::optional<BrokenLaw> stiffness(const char* key, double value) {
 }
 
 std::optional<BrokenLaw> coupled(const char* key, double value, double a, double b) {
-  if (const auto broken = not_finite(key, value)) return broken;
+  if (const auto broken = not_a_finite_number(key, value)) return broken;
   if (value == 0 || (std::isfinite(a) && std::isfinite(b))) return std::nullopt;
   return BrokenLaw{key, fmt::format("'{}' must be 0 where one of the two directions is pinned: it is {:.6g}", key, value)};
 }
@@ -39,7 +39,7 @@ std::optional<BrokenLaw> broken_law(const ShaftSection& s) {
   constexpr Index most = 2000;
   if (const auto b = first_broken({not_positive("length", "m", s.length),
                                    not_positive("outer_diameter", "m", std::min(s.outer_diameter[0], s.outer_diameter[1])),
-                                   not_finite("outer_diameter", s.outer_diameter[0] + s.outer_diameter[1]),
+                                   not_a_finite_number("outer_diameter", s.outer_diameter[0] + s.outer_diameter[1]),
                                    negative("inner_diameter", "m", std::min(s.inner_diameter[0], s.inner_diameter[1])),
                                    ring(s.inner_diameter[0], s.outer_diameter[0]), ring(s.inner_diameter[1], s.outer_diameter[1])}))
     return b;
@@ -51,7 +51,7 @@ std::optional<BrokenLaw> broken_law(const ShaftSection& s) {
 }
 
 std::optional<BrokenLaw> broken_law(const Disc& d) {
-  if (const auto b = first_broken({not_finite("position", d.position), not_finite("offset", d.offset)})) return b;
+  if (const auto b = first_broken({not_a_finite_number("position", d.position), not_a_finite_number("offset", d.offset)})) return b;
   if (d.geometry) {
     const DiscGeometry& g = *d.geometry;
     return first_broken({not_positive("width", "m", g.width), not_positive("outer_diameter", "m", g.outer_diameter),
@@ -71,7 +71,7 @@ std::optional<BrokenLaw> broken_law(const Disc& d) {
 
 std::optional<BrokenLaw> broken_law(const Bearing& b) {
   if (const auto broken =
-          first_broken({not_finite("position", b.position), stiffness("kxx", b.kxx), stiffness("kyy", b.kyy),
+          first_broken({not_a_finite_number("position", b.position), stiffness("kxx", b.kxx), stiffness("kyy", b.kyy),
                         coupled("kxy", b.kxy, b.kxx, b.kyy), stiffness("tilt_xx", b.tilt_xx), stiffness("tilt_yy", b.tilt_yy),
                         coupled("tilt_xy", b.tilt_xy, b.tilt_xx, b.tilt_yy), negative("housing_mass", "kg", b.housing_mass),
                         negative("housing_kxx", "N/m", b.housing_kxx), negative("housing_kyy", "N/m", b.housing_kyy)}))
@@ -83,11 +83,11 @@ std::optional<BrokenLaw> broken_law(const Bearing& b) {
 }
 
 std::optional<BrokenLaw> broken_law(const PointMass& m) {
-  return first_broken({not_finite("position", m.position), negative("mass", "kg", m.mass)});
+  return first_broken({not_a_finite_number("position", m.position), negative("mass", "kg", m.mass)});
 }
 
 std::optional<BrokenLaw> broken_law(const Spool& s) {
-  return first_broken({not_finite("speed_ratio", s.speed_ratio), not_finite("start", s.start)});
+  return first_broken({not_a_finite_number("speed_ratio", s.speed_ratio), not_a_finite_number("start", s.start)});
 }
 
 }  // namespace gyromode

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
 
@@ -32,6 +31,33 @@ void require_on_shaft(const std::string& part, double position, const Spool& spo
   if (position >= spool.start - tolerance && position <= end + tolerance) return;
   throw LawBroken(fmt::format("{}: position {:.6g} m is off the shaft{}, which reaches from {:.6g} to {:.6g} m", part, position,
                               spool.name.empty() ? "" : fmt::format(" '{}'", spool.name), spool.start, end));
+}
+
+// Ascending, without those nearer than `tolerance` to the one before.
+std::vector<double> different(std::vector<double> places, double tolerance) {
+  std::sort(places.begin(), places.end());
+  std::vector<double> kept;
+  for (const double z : places) {
+    if (kept.empty() || z - kept.back() > tolerance) kept.push_back(z);
+  }
+  return kept;
+}
+
+// A section is parted where parts are on it, and every piece into elements of equal length by its share of them: no
+// element is short but between parts that are near each other.
+void add_nodes(double start, double end, Index elements, const std::vector<double>& parts, double tolerance, std::vector<double>& to) {
+  constexpr double rounding = 1e-6;  // of an element
+  std::vector<double> cuts{start, end};
+  for (const double z : parts) {
+    if (z > start + tolerance && z < end - tolerance) cuts.push_back(z);
+  }
+  cuts = different(std::move(cuts), tolerance);
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    const double piece = cuts[k + 1] - cuts[k];
+    const auto count = std::max(1.0, std::ceil(static_cast<double>(elements) * piece / (end - start) - rounding));
+    for (double e = 0; e < count; ++e) to.push_back(cuts[k] + piece * e / count);
+  }
+  to.push_back(end);
 }
 
 }  // namespace
@@ -77,21 +103,34 @@ void Rotor::require_parts() const {
 
 void Rotor::place_stations() {
   constexpr double same = 1e-9;  // of the length of the rotor
-  std::vector<std::vector<double>> places(spools_.size());
-  for (const Spool& s : spools_) ends_.push_back(s.start);
   double length = 0;
+  for (const Spool& s : spools_) ends_.push_back(s.start);
   for (const ShaftSection& s : parts_.shafts) {
-    const std::size_t spool = spool_named(s.spool);
-    for (Index e = 0; e <= s.elements; ++e)
-      places[spool].push_back(ends_[spool] + s.length * static_cast<double>(e) / static_cast<double>(s.elements));
-    ends_[spool] += s.length;
+    ends_[spool_named(s.spool)] += s.length;
     length += s.length;
   }
   tolerance_ = same * length;
-  const auto add = [&](const std::string& name, std::size_t k, double position, const std::string& on) {
-    const std::string part = fmt::format("{} {}", name, k + 1);
+  const std::vector<std::vector<double>> parts = places_of_parts();
+  std::vector<double> at;  // the lower end of the next section of every spool
+  std::vector<std::vector<double>> places(spools_.size());
+  for (const Spool& s : spools_) at.push_back(s.start);
+  for (const ShaftSection& s : parts_.shafts) {
+    const std::size_t spool = spool_named(s.spool);
+    add_nodes(at[spool], at[spool] + s.length, s.elements, parts[spool], tolerance_, places[spool]);
+    at[spool] += s.length;
+  }
+  for (std::size_t spool = 0; spool < spools_.size(); ++spool) {
+    if (places[spool].empty()) throw LawBroken(fmt::format("spool '{}' has no shaft", spools_[spool].name));
+    for (const double z : different(places[spool], tolerance_)) stations_.push_back({spool, z, {0, 0, 0, 0}});
+  }
+}
+
+// Where discs, bearings, supports and masses are, by spool.
+std::vector<std::vector<double>> Rotor::places_of_parts() const {
+  std::vector<std::vector<double>> places(spools_.size());
+  const auto add = [&](const char* name, std::size_t k, double position, const std::string& on) {
     const std::size_t spool = spool_named(on);
-    require_on_shaft(part, position, spools_[spool], ends_[spool], tolerance_);
+    require_on_shaft(fmt::format("{} {}", name, k + 1), position, spools_[spool], ends_[spool], tolerance_);
     places[spool].push_back(std::clamp(position, spools_[spool].start, ends_[spool]));
   };
   for (std::size_t k = 0; k < parts_.discs.size(); ++k) add("disk", k, parts_.discs[k].position, parts_.discs[k].spool);
@@ -103,16 +142,7 @@ void Rotor::place_stations() {
     add("bearing", k, b.position, b.spool);
     if (!b.to.empty()) add("bearing", k, b.position, b.to);
   }
-  for (std::size_t spool = 0; spool < spools_.size(); ++spool) {
-    if (places[spool].empty()) throw LawBroken(fmt::format("spool '{}' has no shaft", spools_[spool].name));
-    std::sort(places[spool].begin(), places[spool].end());
-    double before = -std::numeric_limits<double>::infinity();
-    for (const double z : places[spool]) {
-      if (!(z - before > tolerance_)) continue;
-      stations_.push_back({spool, z, {0, 0, 0, 0}});
-      before = z;
-    }
-  }
+  return places;
 }
 
 const Station& Rotor::station_at(std::size_t spool, double position) const {

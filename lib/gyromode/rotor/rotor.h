@@ -67,6 +67,7 @@ class Rotor {
  private:
   void require_parts() const;
   void place_stations();
+  std::vector<std::vector<double>> places_of_parts() const;
   void number_coordinates();
 
   RotorParts parts_;

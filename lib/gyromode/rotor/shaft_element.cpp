@@ -97,7 +97,8 @@ ShaftElement shaft_element(const ShaftPiece& p) {
     geometric += weight * steepness.transpose() * steepness;
   }
   if (p.theory != ShaftTheory::euler) mass += rotary;
-  return {mass, rotary, stiffness, geometric};
+  const auto symmetric = [](const Eigen::Matrix4d& a) { return Matrix(0.5 * (a + a.transpose())); };  // to the last bit
+  return {symmetric(mass), symmetric(rotary), symmetric(stiffness), symmetric(geometric)};
 }
 
 }  // namespace gyromode

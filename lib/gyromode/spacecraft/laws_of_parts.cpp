@@ -39,20 +39,20 @@ std::optional<BrokenLaw> law_of_inertia(const Eigen::Matrix3d& j) {
 std::optional<BrokenLaw> broken_law(const Body& b) { return first_broken({not_positive("mass", "kg", b.mass), law_of_inertia(b.inertia)}); }
 
 std::optional<BrokenLaw> broken_law(const Cable& c) {
-  return first_broken({not_finite("azimuth", c.azimuth), negative("radius", "m", c.radius), not_finite("height", c.height),
-                       not_positive("length", "m", c.length), not_positive("line_density", "kg/m", c.line_density),
-                       negative("tip_mass", "kg", c.tip_mass)});
+  return first_broken({not_a_finite_number("azimuth", c.azimuth), negative("radius", "m", c.radius),
+                       not_a_finite_number("height", c.height), not_positive("length", "m", c.length),
+                       not_positive("line_density", "kg/m", c.line_density), negative("tip_mass", "kg", c.tip_mass)});
 }
 
 std::optional<BrokenLaw> broken_law(const Beam& b) {
-  return first_broken({not_finite("root", b.root_height), not_positive("length", "m", b.length),
+  return first_broken({not_a_finite_number("root", b.root_height), not_positive("length", "m", b.length),
                        not_positive("line_density", "kg/m", b.line_density),
                        not_positive("bending_stiffness", "N m²", std::min(b.bending_stiffness[0], b.bending_stiffness[1])),
                        negative("tip_mass", "kg", b.tip_mass)});
 }
 
 std::optional<BrokenLaw> broken_law(const SpringMass& m) {
-  if (const auto b = first_broken({not_finite("position", m.position.sum()), not_positive("mass", "kg", m.mass)})) return b;
+  if (const auto b = first_broken({not_a_finite_number("position", m.position.sum()), not_positive("mass", "kg", m.mass)})) return b;
   for (Index i = 0; i < 3; ++i) {
     if (!(m.stiffness(i) > 0)) {
       return BrokenLaw{

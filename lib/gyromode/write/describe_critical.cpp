@@ -10,7 +10,7 @@ namespace gyromode::io {
 void describe(const Model& model, const CriticalSpeeds& r, Writer& w) {
   const Coverage& c = r.coverage;
   w.fact("order", r.order, "order",
-         fmt::format("{:g} × speed{}", r.order, model.frame == Frame::turning ? ", in the turning axes of the model" : ""));
+         fmt::format("{:g} × speed{}", r.order, model.frame == gyromode::Frame::turning ? ", in the turning axes of the model" : ""));
   w.fact("coverage",
          {{"status", to_string(c.status)},
           {"window", bounds(c.window)},
