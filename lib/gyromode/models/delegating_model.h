@@ -21,6 +21,9 @@ class DelegatingModel : public ModelKind {
   StabilityReport stability(const Progress& progress) const override { return made_->stability(progress); }
   StructureReport structure(std::optional<double> at) const override { return made_->structure(at); }
   CriticalSpeeds critical_speeds(const CriticalOptions& options) const override { return made_->critical_speeds(options); }
+  std::vector<double> divergence_thresholds(std::string_view key, double a, double b) const override {
+    return made_->divergence_thresholds(key, a, b);
+  }
   void require_motion() const override { made_->require_motion(); }
   ResponseReport response(const MotionRequest& request) const override { return made_->response(request); }
   FrequencyReport frequency_response(const FrequencyRequest& request) const override { return made_->frequency_response(request); }

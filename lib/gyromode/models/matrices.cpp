@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace gyromode {
 
@@ -54,6 +56,21 @@ std::vector<std::string> MatricesModel::doubts(bool fixed_axes) const {
 CriticalSpeeds MatricesModel::critical_speeds(const CriticalOptions& options) const {
   if (!matrices_.family || !matrices_.spin) return ModelKind::critical_speeds(options);
   return gyromode::critical_speeds(*matrices_.family, options);
+}
+
+// K₀ + Ω²K₂: those of Ω > 0, and their mirror images.
+std::vector<double> MatricesModel::divergence_thresholds(std::string_view key, double a, double b) const {
+  if (key != "spin" || !matrices_.family || !matrices_.spin || matrices_.family->stiffness_per_spin2.size() == 0) return {};
+  CriticalOptions o;
+  o.order = 0;
+  o.window.b = std::nextafter(std::max(std::abs(a), std::abs(b)), std::numeric_limits<double>::infinity());
+  std::vector<double> all;
+  for (const CriticalSpeed& c : gyromode::critical_speeds(*matrices_.family, o).speeds) {
+    for (const double spin : {-c.speed, c.speed}) {
+      if (spin > a && spin < b) all.push_back(spin);
+    }
+  }
+  return all;
 }
 
 StructureReport MatricesModel::structure(std::optional<double> at) const {

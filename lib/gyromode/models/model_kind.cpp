@@ -41,6 +41,8 @@ CriticalSpeeds ModelKind::critical_speeds(const CriticalOptions&) const {
       "depends on the speed");
 }
 
+std::vector<double> ModelKind::divergence_thresholds(std::string_view, double, double) const { return {}; }
+
 std::optional<Parameter> ModelKind::parameter(std::string_view key) const {
   for (Parameter& p : parameters()) {
     if (names(key, p.key)) return std::move(p);

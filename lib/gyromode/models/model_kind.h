@@ -50,6 +50,10 @@ class ModelKind {
   /// Throws NotApplicable unless it is a family of matrices with a spin.
   virtual CriticalSpeeds critical_speeds(const CriticalOptions& options) const;
 
+  /// Values of the parameter `key` between a and b at which K is singular, so that divergence may begin or end: all of
+  /// them where they are known of a kind of model, else none.
+  virtual std::vector<double> divergence_thresholds(std::string_view key, double a, double b) const;
+
   /// The numbers it is made of, those worth listing; further ones may be named.
   virtual std::vector<Parameter> parameters() const { return {}; }
   /// The first number that a key names ([*] for every item); nothing where it names none.

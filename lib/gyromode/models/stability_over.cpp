@@ -35,7 +35,22 @@ StabilityMap stability_over(const ModelKind& model, const std::vector<ParameterA
     require_parameter(model, axis.keys);
     values.push_back(axis.values);
   }
-  return map_stability([&](const std::vector<double>& at) { return verdict_at(model, axes, at); }, std::move(values), progress);
+  const Thresholds thresholds = [&](const std::vector<double>& others) -> std::vector<double> {
+    const auto& first = axes.front();
+    if (keys_of(first.keys).size() != 1) return {};
+    std::shared_ptr<const ModelKind> at;
+    if (!others.empty()) {
+      std::vector<ParameterValue> rest;
+      for (const std::string& key : keys_of(axes[1].keys)) rest.push_back({key, others[0]});
+      try {
+        at = model.with(rest);
+      } catch (const Error&) {  // no model there
+        return {};
+      }
+    }
+    return (at ? *at : model).divergence_thresholds(first.keys, first.values.front(), first.values.back());
+  };
+  return map_stability([&](const std::vector<double>& at) { return verdict_at(model, axes, at); }, std::move(values), progress, thresholds);
 }
 
 }  // namespace gyromode

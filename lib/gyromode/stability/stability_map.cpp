@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace gyromode {
 
@@ -45,8 +46,67 @@ Index expected_evaluations(const std::vector<Place>& places, double range) {
 
 using Verdict = std::function<StabilityPoint(const std::vector<double>&)>;
 
+// A verdict between the cells that was asked for.
+struct Seen {
+  double at;
+  StabilityPoint point;
+};
+
+// One between every two neighbouring thresholds, and between those at the ends and the cells beside them.
+std::vector<double> between_thresholds(const std::vector<double>& along, const std::vector<double>& thresholds) {
+  std::vector<double> middles;
+  for (std::size_t k = 0; k + 1 < along.size(); ++k) {
+    std::vector<double> parts{along[k]};
+    for (const double t : thresholds) {
+      if (t > along[k] && t < along[k + 1]) parts.push_back(t);
+    }
+    if (parts.size() == 1) continue;
+    parts.push_back(along[k + 1]);
+    for (std::size_t i = 1; i + 2 < parts.size(); ++i) middles.push_back(0.5 * (parts[i] + parts[i + 1]));
+  }
+  return middles;
+}
+
+// The borders of a row: at a threshold where the verdicts beside it differ, else where a search finds them.
+struct RowBorders {
+  BorderSearch& search;
+  const BorderSearch::Line& at;
+  const std::vector<double>& thresholds;  // ascending
+  double range;
+  std::vector<Border> found = {}, at_thresholds = {};
+  Index more_evaluations = 0;
+
+  // Between neighbours with a verdict; there is one threshold between them, or none.
+  void add(const Place& lo, const Place& hi) {
+    if (!lo.point->differs(*hi.point)) return;
+    const auto t = std::upper_bound(thresholds.begin(), thresholds.end(), lo.at);
+    if (t == thresholds.end() || !(*t < hi.at)) return search_in(lo.at, *lo.point, hi.at, *hi.point);
+    // Beside it, so near that nothing else is between, and far enough for a verdict.
+    constexpr double beside = 1e-6;
+    const double below = *t - std::min(0.25 * (*t - lo.at), beside * range), above = *t + std::min(0.25 * (hi.at - *t), beside * range);
+    const StabilityPoint from = at(below), to = at(above);
+    more_evaluations += 2;
+    if (!from.decided() || !to.decided()) return search_in(lo.at, *lo.point, hi.at, *hi.point);
+    search_in(lo.at, *lo.point, below, from);
+    if (from.differs(to)) at_thresholds.push_back({std::nextafter(*t, lo.at), std::nextafter(*t, hi.at), from, to});
+    search_in(above, to, hi.at, *hi.point);
+  }
+  void search_in(double a, const StabilityPoint& at_a, double b, const StabilityPoint& at_b) {
+    if (!at_a.differs(at_b)) return;
+    for (Border& border : search.between(a, at_a, b, at_b)) found.push_back(std::move(border));
+  }
+  // Ascending. What is found by a search and narrower than a verdict of its own is one; between thresholds nothing is.
+  std::vector<Border> all() {
+    std::vector<Border> every = merged(found, BorderSearch::narrowest_verdict * range);
+    every.insert(every.end(), std::make_move_iterator(at_thresholds.begin()), std::make_move_iterator(at_thresholds.end()));
+    std::sort(every.begin(), every.end(), [](const Border& p, const Border& q) { return p.lo < q.lo; });
+    return every;
+  }
+};
+
 // One row of the grid, at `rest` of the second parameter (empty without one): its cells, then its borders.
-void add_row(const Verdict& verdict, const std::vector<double>& rest, const Progress& progress, StabilityMap& map) {
+void add_row(const Verdict& verdict, const std::vector<double>& rest, const Progress& progress, const Thresholds& thresholds,
+             StabilityMap& map) {
   const std::vector<double>& along = map.axes.front();
   const Index all = static_cast<Index>(along.size() * (map.axes.size() > 1 ? map.axes[1].size() : 1));
   const auto point = [&](double x) {
@@ -54,7 +114,7 @@ void add_row(const Verdict& verdict, const std::vector<double>& rest, const Prog
     values.insert(values.end(), rest.begin(), rest.end());
     return values;
   };
-  const auto at = [&](double x) {
+  const BorderSearch::Line at = [&](double x) {
     if (progress.stopped()) throw Interrupted();
     return verdict(point(x));
   };
@@ -64,7 +124,18 @@ void add_row(const Verdict& verdict, const std::vector<double>& rest, const Prog
     progress.report("cells", static_cast<Index>(map.cells.size()), all);
   }
   const double range = along.back() - along.front();
-  const std::vector<Place> places = decided(along, map.cells.data() + first);
+  std::vector<double> known = thresholds ? thresholds(rest) : std::vector<double>{};
+  std::sort(known.begin(), known.end());
+  std::vector<Seen> seen;
+  for (const double x : between_thresholds(along, known)) {
+    seen.push_back({x, at(x)});
+    ++map.evaluations;
+  }
+  std::vector<Place> places = decided(along, map.cells.data() + first);
+  for (const Seen& s : seen) {
+    if (s.point.decided()) places.push_back({s.at, &s.point});
+  }
+  std::sort(places.begin(), places.end(), [](const Place& p, const Place& q) { return p.at < q.at; });
   const Index expected = expected_evaluations(places, range);
   Index evaluated = 0;
   BorderSearch search(
@@ -73,20 +144,15 @@ void add_row(const Verdict& verdict, const std::vector<double>& rest, const Prog
         return at(x);
       },
       range);
-  std::vector<Border> borders;
+  RowBorders borders{search, at, known, range};
   bool stopped = false;
   try {
-    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-      if (!places[k].point->differs(*places[k + 1].point)) continue;
-      for (Border& b : search.between(places[k].at, *places[k].point, places[k + 1].at, *places[k + 1].point))
-        borders.push_back(std::move(b));
-    }
+    for (std::size_t k = 0; k + 1 < places.size(); ++k) borders.add(places[k], places[k + 1]);
   } catch (const Interrupted&) {  // borders found by then are kept
     stopped = true;
   }
-  for (Border& b : merged(borders, BorderSearch::narrowest_verdict * range))
-    map.critical.push_back({0, b.middle(), b.lo, b.hi, std::move(b.from), std::move(b.to), rest});
-  map.evaluations += search.evaluations();
+  for (Border& b : borders.all()) map.critical.push_back({0, b.middle(), b.lo, b.hi, std::move(b.from), std::move(b.to), rest});
+  map.evaluations += search.evaluations() + borders.more_evaluations;
   if (stopped) throw Interrupted();
 }
 
@@ -105,7 +171,8 @@ void fill(StabilityMap& map) {
 
 }  // namespace
 
-StabilityMap map_stability(const Verdict& verdict, std::vector<std::vector<double>> axes, const Progress& progress) {
+StabilityMap map_stability(const Verdict& verdict, std::vector<std::vector<double>> axes, const Progress& progress,
+                           const Thresholds& thresholds) {
   if (axes.empty() || axes.size() > 2) throw InvalidArgument(fmt::format("a map has one parameter or two: {} were given", axes.size()));
   for (const std::vector<double>& values : axes) {
     if (values.empty() || !std::is_sorted(values.begin(), values.end()))
@@ -115,9 +182,9 @@ StabilityMap map_stability(const Verdict& verdict, std::vector<std::vector<doubl
   map.axes = std::move(axes);
   try {
     if (map.axes.size() == 1)
-      add_row(verdict, {}, progress, map);
+      add_row(verdict, {}, progress, thresholds, map);
     else
-      for (const double y : map.axes[1]) add_row(verdict, {y}, progress, map);
+      for (const double y : map.axes[1]) add_row(verdict, {y}, progress, thresholds, map);
   } catch (const Interrupted&) {
     map.interrupted = true;
     fill(map);

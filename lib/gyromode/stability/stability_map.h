@@ -36,10 +36,15 @@ struct StabilityMap {
 /// The verdict over a grid of one or two parameters, and where along the first it changes between neighbouring cells
 /// that have one: bisected to BorderSearch::resolution of the range or to the last bit. Cells and points without a
 /// verdict (`unknown`, no model) are no border by themselves; between two different verdicts they widen the bracket of
-/// the one border there. What lies between two neighbours with the same verdict is not looked at. `progress` is told
-/// "cells". Where it stops, cells not looked at have no verdict, and critical values are those of the rows that were
-/// finished.
+/// the one border there. What lies between two neighbours with the same verdict is not looked at, but for the
+/// `thresholds`. `progress` is told "cells". Where it stops, cells not looked at have no verdict, and critical values
+/// are those of the rows that were finished.
+///
+/// `thresholds`: values of the first parameter, at one value of the second (nothing without it), at which the verdict
+/// may change and which are known beforehand: where K is singular. The verdict is asked for between neighbouring ones,
+/// too, so that what holds between two of them is in the map, however narrow.
+using Thresholds = std::function<std::vector<double>(const std::vector<double>& others)>;
 StabilityMap map_stability(const std::function<StabilityPoint(const std::vector<double>&)>& verdict, std::vector<std::vector<double>> axes,
-                           const Progress& progress = {});
+                           const Progress& progress = {}, const Thresholds& thresholds = {});
 
 }  // namespace gyromode

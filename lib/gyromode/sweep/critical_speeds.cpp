@@ -90,7 +90,7 @@ CriticalSpeeds critical_speeds(const SpinFamily& family, const CriticalOptions& 
   require_window(options.window);
   if (!(options.order >= 0) || !std::isfinite(options.order))
     throw InvalidArgument(fmt::format("order {}: a multiple of the speed, 0 or more, was expected", options.order));
-  if (!empty_or_zero(family.gyroscopic))
+  if (options.order > 0 && !empty_or_zero(family.gyroscopic))
     throw NotApplicable(
         "critical speeds come from one pencil where G goes with the spin alone: 'gyroscopic' beside 'gyroscopic_per_spin' is not 0");
   CriticalOptions o = options;

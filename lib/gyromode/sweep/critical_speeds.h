@@ -38,7 +38,8 @@ struct CriticalSpeeds {
 /// Speeds at which H(mΩ) is singular: K₀X = Ω²(m²M − jmG₁ − K₂)X (theory (T13)), of a family with G = ΩG₁, K = K₀ +
 /// Ω²K₂, by the eigenvalues of that Hermitian pencil: real symmetric where M, G, K have a quadrature partition. K₀ > 0:
 /// definite, and counted; K₀ ≥ 0: without its null space, on which Ω = 0; K₀ indefinite: its real roots, counted where
-/// their signs add up. Throws NotApplicable where G does not go with the speed alone.
+/// their signs add up. Order 0: where K₀ + Ω²K₂ is singular, the thresholds of divergence. Throws
+/// NotApplicable where G does not go with the speed alone, but for order 0.
 CriticalSpeeds critical_speeds(const SpinFamily& family, const CriticalOptions& options,
                                const std::vector<OrbitCoordinates>& stations = {});
 
