@@ -1,5 +1,6 @@
 #include "errors.h"
 #include "job.h"
+#include "parameter_axis.h"
 #include "verbs.h"
 
 #include "gyromode/base/number.h"
@@ -18,7 +19,19 @@ struct Options {
   OutputOption output;
   std::string order = "1";
   std::optional<Index> lowest;
+  std::string over;
 };
+
+ExitCode run_over(const Options& o, const CriticalOptions& options, Job& job) {
+  const ParameterAxis axis = axis_of(job.model(), taken_apart("--over", o.over), Spacing::logarithmic);
+  const CriticalMap map =
+      job.answer([&](const Model& m, const Progress& progress) { return m.critical_speeds_over(axis, options, progress); });
+  o.output.write(document(job.model(), map, job.timings(), o.output.chosen()));
+  if (map.interrupted) return job.interrupted();
+  if (map.is_complete()) return ExitCode::done;
+  o.output.say("not certified complete at every value");
+  return ExitCode::not_certified;
+}
 
 ExitCode run(const Options& o) {
   CriticalOptions options;
@@ -29,6 +42,7 @@ ExitCode run(const Options& o) {
   options.window = o.window.read();
   options.lowest = o.lowest;
   Job job(o.source, o.output);
+  if (!o.over.empty()) return run_over(o, options, job);
   const CriticalSpeeds result = job.answer([&](const Model& m) { return m.critical_speeds(options); });
   o.output.write(document(job.model(), result, job.timings(), o.output.chosen()));
   if (result.coverage.status == CoverageStatus::complete) return ExitCode::done;
@@ -49,11 +63,16 @@ void add_critical(CLI::App& program, int& code) {
   auto* lowest = verb->add_option("--lowest", o->lowest, "Only the N lowest")->type_name("N")->check(CLI::PositiveNumber);
   o->window.add_to(*verb);
   for (const char* name : {"--below", "--window"}) lowest->excludes(verb->get_option(name));
+  verb->add_option("--over", o->over,
+                   "Over N values from A to B of a number of the model, spaced logarithmically: the undamped critical-speed map. Commas "
+                   "between keys that share the value")
+      ->type_name("KEY,…=A:B:N");
   o->output.add_to(*verb);
   verb->footer(
       "Examples:\n  gyromode critical models/rotors/two_discs.toml --lowest 6\n"
       "  gyromode critical models/rotors/overhung_disc.toml --below 20000rpm --format json\n"
-      "  gyromode critical models/rotors/two_discs.toml --order 0.5 --below 6000rpm");
+      "  gyromode critical models/rotors/two_discs.toml --order 0.5 --below 6000rpm\n"
+      "  gyromode critical models/rotors/two_discs.toml --over 'bearing[*].kxx,bearing[*].kyy=1e5:1e9:9' --below 20000rpm");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
 }
 

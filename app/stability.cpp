@@ -1,15 +1,13 @@
 #include "errors.h"
 #include "job.h"
+#include "parameter_axis.h"
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/base/number.h"
-#include "gyromode/models/parameter_keys.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace gyromode::app {
@@ -22,28 +20,10 @@ struct Options {
   std::vector<std::string> vary;
 };
 
-// KEY=A:B:N, taken apart; what A and B are depends on the model.
-struct AxisText {
-  std::string whole, keys, from, to;
-  std::int64_t values = 0;
-};
-
-AxisText taken_apart(const std::string& text) {
-  constexpr std::int64_t most = 100000;
-  const std::size_t equals = text.rfind('='), first = text.find(':', equals),
-                    second = first == std::string::npos ? first : text.find(':', first + 1);
-  if (equals == std::string::npos || second == std::string::npos)
-    throw UsageError(fmt::format("--vary {}: KEY=A:B:N was expected, such as spin=5rpm:20rpm:31", text));
-  const auto n = whole_number(text.substr(second + 1));
-  if (!n || *n < 2 || *n > most)
-    throw UsageError(fmt::format("--vary {}: a number of values from 2 to {} was expected at the end", text, most));
-  return {text, text.substr(0, equals), text.substr(equals + 1, first - equals - 1), text.substr(first + 1, second - first - 1), *n};
-}
-
 std::vector<AxisText> axes_of(const std::vector<std::string>& vary) {
   constexpr std::int64_t most_cells = 1000000;  // verdicts of some milliseconds: an hour or more
   std::vector<AxisText> axes;
-  for (const std::string& text : vary) axes.push_back(taken_apart(text));
+  for (const std::string& text : vary) axes.push_back(taken_apart("--vary", text));
   if (axes.size() == 2 && axes[0].keys == axes[1].keys) throw UsageError(fmt::format("--vary: '{}' is given twice", axes[0].keys));
   if (axes.size() > 2) throw UsageError("--vary: one parameter, or two for a chart");
   if (axes.size() == 2 && axes[0].values * axes[1].values > most_cells) {
@@ -51,30 +31,6 @@ std::vector<AxisText> axes_of(const std::vector<std::string>& vary) {
                                  axes[0].values, axes[1].values, axes[0].values * axes[1].values, most_cells));
   }
   return axes;
-}
-
-ParameterAxis axis_of(const Model& model, const AxisText& text) {
-  const Parameter parameter = [&] {
-    try {
-      return require_parameter(*model.body, text.keys);
-    } catch (const InvalidArgument& e) {
-      throw UsageError(fmt::format("--vary: {}", e.what()));
-    }
-  }();
-  const auto bound = [&](const std::string& end) {
-    const auto value = value_of(parameter, end);
-    if (!value)
-      throw UsageError(fmt::format("--vary {}: '{}' is no number in SI or with a unit that fits '{}'", text.whole, end, text.keys));
-    return *value;
-  };
-  const double from = bound(text.from), to = bound(text.to);
-  if (from == to || !std::isfinite(to - from))
-    throw UsageError(fmt::format("--vary {}: two different finite bounds were expected", text.whole));
-  const double a = std::min(from, to), b = std::max(from, to);  // 30:10:5 is 10:30:5
-  ParameterAxis axis{text.keys, {}};
-  for (std::int64_t k = 0; k < text.values; ++k)
-    axis.values.push_back(k + 1 == text.values ? b : a + (b - a) * static_cast<double>(k) / static_cast<double>(text.values - 1));
-  return axis;
 }
 
 StabilityReport asked(const Model& model, const std::vector<AxisText>& texts, const Progress& progress) {

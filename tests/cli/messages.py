@@ -110,6 +110,9 @@ said(0, "parts at 1 and 1.00001 m are 1e-05 m apart", "modes", "m.toml", model=R
 said(3, "critical speeds need a rotor, or matrices with 'spin'", "critical", "m.toml")
 said(1, "--order x: a multiple of the speed was expected", "critical", "m.toml", "--order", "x", model=ROTOR)
 said(0, "  2   86.9042", "critical", "m.toml", "--lowest", "4", model=ROTOR)
+said(1, "--over bearing[0].kxx=-1:1:3: bounds above 0 were expected", "critical", "m.toml", "--over", "bearing[0].kxx=-1:1:3", model=ROTOR)
+said(1, "--over: 'bearing[0].kx' is no parameter of the model: did you mean 'bearing[0].kxx'?", "critical", "m.toml", "--over", "bearing[0].kx=1:2:3", model=ROTOR)
+said(0, " 825.1338   829.8745", "critical", "m.toml", "--over", "bearing[*].kxx,bearing[*].kyy=1e5:1e7:3", "--below", "2000rpm", model=ROTOR)
 # The file at fault, of three
 WIRES = [str(models / "wiresaw" / f"{m}.mtx") for m in "MGK"]
 said(3, "M.mtx: G must satisfy G = −Gᵀ: the diagonal entry (1,1) = 0.5 must be 0, it is 1e+02 % of the largest entry; G is the same matrix as M: was", "modes", "--mass", WIRES[0], "--gyroscopic", WIRES[0], "--stiffness", WIRES[2])

@@ -76,6 +76,10 @@ struct Model {
   /// Speeds at which a mode has a multiple of the speed as its frequency, in the axes of the model, by one pencil.
   /// @throws NotApplicable for models that do not say how they depend on the speed
   CriticalSpeeds critical_speeds(const CriticalOptions& options = {}) const;
+  /// The same over values of a parameter, a bearing's stiffness say: the critical-speed map. `progress` is told
+  /// "values".
+  /// @throws InvalidArgument where a key names no parameter
+  CriticalMap critical_speeds_over(const ParameterAxis& axis, const CriticalOptions& options = {}, const Progress& progress = {}) const;
   /// What class it is in and why; with `at` (rad per unit of time, above 0 for a spacecraft) H there, the
   /// transformation and H*.
   StructureReport structure(std::optional<double> at = std::nullopt) const;

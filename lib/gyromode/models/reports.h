@@ -6,6 +6,7 @@
 #include "gyromode/spectrum/result.h"
 #include "gyromode/structure/realify.h"
 #include "gyromode/stability/stability_map.h"
+#include "gyromode/sweep/critical_speeds.h"
 
 #include <array>
 #include <optional>
@@ -49,6 +50,22 @@ struct StructureReport {
   std::vector<Repair> repairs;                ///< of matrices that were not (skew-)symmetric
   std::vector<ClampedBoom> clamped_booms;     ///< of a spacecraft: the poles of its booms
   std::vector<EffectiveAxes> effective_axes;  ///< of spacecraft that axes 1 and 2 do not part into in phase and in quadrature
+};
+
+/// Critical speeds over values of a parameter.
+struct CriticalMap {
+  /// At one value.
+  struct Row {
+    double value = 0;       ///< of the parameter, SI
+    CriticalSpeeds speeds;  ///< there; none where there is no model
+    std::string reason;     ///< why there is no model there; empty where there is one
+  };
+  std::string keys;          ///< of the parameter
+  std::vector<Row> rows;     ///< ascending
+  bool interrupted = false;  ///< higher values were not looked at
+
+  /// Whether the lists of all values are complete.
+  bool is_complete() const;
 };
 
 /// What `stability` reports: the verdict with what it rests on.

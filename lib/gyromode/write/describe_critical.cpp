@@ -1,8 +1,10 @@
+#include "gyromode/models/parameter_keys.h"
 #include "gyromode/write/digits.h"
 #include "gyromode/write/words.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace gyromode::io {
@@ -44,6 +46,65 @@ void describe(const Model& model, const CriticalSpeeds& r, Writer& w) {
                  {shape_json(model.labels(), s.shape)}};
            },
            true});
+}
+
+// People see a row a value with as many speeds as a line holds; programs every speed of every value.
+void describe(const Model& model, const CriticalMap& map, Writer& w) {
+  constexpr std::size_t most_columns = 6;
+  constexpr double rpm = 30 / std::numbers::pi;
+  std::size_t most = 0;
+  for (const CriticalMap::Row& r : map.rows) most = std::max(most, r.speeds.speeds.size());
+  const auto dimension = require_parameter(*model.body, map.keys).dimension;
+  const std::string heading = dimension ? fmt::format("{} [{}]", map.keys, unit_of(*dimension)) : map.keys;
+  if (!map.rows.empty())
+    w.fact("order", map.rows.front().speeds.order, "order",
+           fmt::format("{:g} × speed; critical speeds in rpm", map.rows.front().speeds.order));
+  w.fact("over", map.keys);
+  if (map.interrupted) w.fact("interrupted", true, "interrupted", "higher values were not looked at");
+  Table seen{"", "", {{"", heading, "{:.6g}"}}, static_cast<Index>(map.rows.size()), {}};
+  for (std::size_t c = 0; c < std::min(most, most_columns); ++c) seen.columns.push_back({"", fmt::format("{}", c + 1)});
+  seen.columns.push_back({"", "counted"});
+  seen.row = [&](Index k) {
+    const CriticalMap::Row& r = map.rows[static_cast<std::size_t>(k)];
+    std::vector<Cell> cells{{r.value}};
+    for (std::size_t c = 0; c < std::min(most, most_columns); ++c) {
+      const bool there = c < r.speeds.speeds.size();
+      cells.push_back({nullptr, there ? determined(r.speeds.speeds[c].speed * rpm, r.speeds.speeds[c].error_bound * rpm, 7) : ""});
+    }
+    cells.push_back({nullptr, r.reason.empty() ? std::string(to_string(r.speeds.coverage.status)) : "no model"});
+    return cells;
+  };
+  w.table(seen);
+  if (w.for_csv()) {  // a line a speed
+    std::vector<std::pair<const CriticalMap::Row*, const CriticalSpeed*>> all;
+    for (const CriticalMap::Row& r : map.rows) {
+      for (const CriticalSpeed& s : r.speeds.speeds) all.emplace_back(&r, &s);
+    }
+    w.table({"",
+             "",
+             {{map.keys}, {"omega"}, {"rpm"}, {"whirl"}, {"error_bound"}},
+             static_cast<Index>(all.size()),
+             [all](Index k) {
+               const auto& [r, s] = all[static_cast<std::size_t>(k)];
+               return std::vector<Cell>{
+                   {r->value}, {s->speed}, {s->speed * rpm}, {s->whirl ? Json(to_string(*s->whirl)) : Json(nullptr)}, {s->error_bound}};
+             },
+             true});
+    return;
+  }
+  w.table({"map", "", {{"value"}, {"status"}, {"critical_speeds"}, {"reason"}}, static_cast<Index>(map.rows.size()), [&](Index k) {
+             const CriticalMap::Row& r = map.rows[static_cast<std::size_t>(k)];
+             Json speeds = Json::array();
+             for (const CriticalSpeed& s : r.speeds.speeds)
+               speeds.push_back({{"omega", s.speed},
+                                 {"rpm", s.speed * rpm},
+                                 {"whirl", s.whirl ? Json(to_string(*s.whirl)) : Json(nullptr)},
+                                 {"error_bound", s.error_bound}});
+             return std::vector<Cell>{{r.value},
+                                      {r.reason.empty() ? Json(to_string(r.speeds.coverage.status)) : Json(nullptr)},
+                                      {speeds},
+                                      {r.reason.empty() ? no_value : Json(r.reason)}};
+           }});
 }
 
 }  // namespace gyromode::io
