@@ -3,6 +3,7 @@
 #include "errors.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/lapack/team.h"
 #include "gyromode/spectrum/spectrum.h"
 #include "gyromode/base/number.h"
 #include "gyromode/read/toml_table.h"
@@ -72,7 +73,10 @@ Admission ModelSource::admission() const {
   return a;
 }
 
-Model ModelSource::admitted(Model m) const { return coupling_tolerance == 0 ? m : m.without_couplings(coupling_tolerance); }
+Model ModelSource::admitted(Model m) const {
+  gyromode::lapack::use_one_thread_for_small(std::ssize(m.labels()));
+  return coupling_tolerance == 0 ? m : m.without_couplings(coupling_tolerance);
+}
 
 // M=Mass,K=Stiff
 void ModelSource::name_matrices(MatrixFiles& files) const {

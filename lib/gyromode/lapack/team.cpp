@@ -3,6 +3,7 @@
 #include <cblas.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 #ifdef __linux__
@@ -17,6 +18,7 @@ namespace {
 constexpr int busy_spins = 2000;  // some microseconds: a yield may cost a whole time slice where others want the processor
 constexpr int spins = 2000;
 constexpr std::uint64_t first_of_next_round = 1 << 16;
+constexpr Index worth_sharing = 512;  // order of matrices below which a second thread gains nothing
 
 // The cores this thread may run on but the one it is on. A new thread starts on the core of its parent, and may share
 // it for longer than the work takes.
@@ -105,9 +107,13 @@ void Team::run(const std::function<void(int)>& work) {
 }
 
 int threads_for(Index n) {
-  constexpr Index worth_it = 512;
   constexpr int most = 8;
-  return n < worth_it ? 1 : std::min(openblas_get_num_threads(), most);
+  return n < worth_sharing ? 1 : std::min(openblas_get_num_threads(), most);
+}
+
+void use_one_thread_for_small(Index n) {
+  const bool said = std::getenv("OPENBLAS_NUM_THREADS") || std::getenv("GOTO_NUM_THREADS") || std::getenv("OMP_NUM_THREADS");
+  if (!said && n < worth_sharing) openblas_set_num_threads(1);
 }
 
 }  // namespace gyromode::lapack

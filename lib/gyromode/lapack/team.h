@@ -45,4 +45,9 @@ class Team {
 /// to share.
 int threads_for(Index n);
 
+/// Keeps the BLAS of this process on one thread where matrices of order n are too little work to share: threads that
+/// wait for work compete with whatever else the machine does. Nothing changes where the environment says how many
+/// (OPENBLAS_NUM_THREADS, GOTO_NUM_THREADS, OMP_NUM_THREADS). For a program; a library leaves it to its caller.
+void use_one_thread_for_small(Index n);
+
 }  // namespace gyromode::lapack
