@@ -23,7 +23,7 @@ struct Options {
 };
 
 ExitCode run_over(const Options& o, const CriticalOptions& options, Job& job) {
-  const ParameterAxis axis = axis_of(job.model(), taken_apart("--over", o.over), Spacing::logarithmic);
+  const ParameterAxis axis = axis_of(job.model(), taken_apart("--over", o.over, "bearing[*].kxx=1e5:1e8:31"), Spacing::logarithmic);
   const CriticalMap map =
       job.answer([&](const Model& m, const Progress& progress) { return m.critical_speeds_over(axis, options, progress); });
   o.output.write(document(job.model(), map, job.timings(), o.output.chosen()));
@@ -60,7 +60,7 @@ void add_critical(CLI::App& program, int& code) {
   verb->add_option("--order", o->order, "The multiple m of an excitation mΩ, in the axes of the model: 1 is unbalance in fixed axes")
       ->type_name("M")
       ->capture_default_str();
-  auto* lowest = verb->add_option("--lowest", o->lowest, "Only the N lowest")->type_name("N")->check(CLI::PositiveNumber);
+  auto* lowest = verb->add_option("--lowest", o->lowest, "Only the N lowest")->type_name("N")->check(whole_above_zero());
   o->window.add_to(*verb);
   for (const char* name : {"--below", "--window"}) lowest->excludes(verb->get_option(name));
   verb->add_option("--over", o->over,

@@ -138,6 +138,14 @@ Window WindowOption::read() const {
   return w;
 }
 
+CLI::Validator whole_above_zero() {
+  const auto reason = [](const std::string& text) -> std::string {
+    const auto n = whole_number(text);
+    return n && *n > 0 ? "" : fmt::format("'{}' is no whole number above 0", text);
+  };
+  return CLI::Validator(reason, "");
+}
+
 double frequency_option(const std::string& option, const std::string& text) {
   const auto value = parse_frequency(text);
   if (!value) throw UsageError(fmt::format("{} {}: '{}' is no frequency: {} was expected", option, text, text, frequency_form));

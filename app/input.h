@@ -45,4 +45,7 @@ struct WindowOption {
 /// A frequency as on the command line: a bare number is rad/s; 5Hz, 300rpm. Throws UsageError naming the option.
 double frequency_option(const std::string& option, const std::string& text);
 
+/// A check of an option that counts something: a whole number above 0.
+CLI::Validator whole_above_zero();
+
 }  // namespace gyromode::app

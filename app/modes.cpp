@@ -71,12 +71,6 @@ ExitCode run(const Options& given) {
   return ExitCode::not_certified;
 }
 
-// Why the text is no whole number above 0; empty where it is one.
-std::string above_zero(const std::string& text) {
-  const auto n = whole_number(text);
-  return n && *n > 0 ? "" : fmt::format("'{}' is no whole number above 0", text);
-}
-
 }  // namespace
 
 void add_modes(CLI::App& program, int& code) {
@@ -84,9 +78,8 @@ void add_modes(CLI::App& program, int& code) {
       "modes", "All modes of a model, or those of a window: frequencies, energy signs, shapes, verdict, certificate");
   auto o = std::make_shared<Options>();
   o->source.add_to(*verb);
-  auto* lowest = verb->add_option("--lowest", o->lowest, "Only the N lowest that are not rigid-body modes")
-                     ->type_name("N")
-                     ->check(CLI::Validator(above_zero, ""));
+  auto* lowest =
+      verb->add_option("--lowest", o->lowest, "Only the N lowest that are not rigid-body modes")->type_name("N")->check(whole_above_zero());
   auto* all = verb->add_flag("--all", o->all,
                              "All modes (the default for matrices; a spacecraft has infinitely many, and its default is --lowest 10)");
   o->window.add_to(*verb);

@@ -14,12 +14,12 @@
 
 namespace gyromode::app {
 
-AxisText taken_apart(const std::string& option, const std::string& text) {
+AxisText taken_apart(const std::string& option, const std::string& text, const std::string& example) {
   constexpr std::int64_t most = 100000;
   const std::size_t equals = text.rfind('='), first = text.find(':', equals),
                     second = first == std::string::npos ? first : text.find(':', first + 1);
   if (equals == std::string::npos || second == std::string::npos)
-    throw UsageError(fmt::format("{} {}: KEY=A:B:N was expected, such as spin=5rpm:20rpm:31", option, text));
+    throw UsageError(fmt::format("{} {}: KEY=A:B:N was expected, such as {}", option, text, example));
   const auto n = whole_number(text.substr(second + 1));
   if (!n || *n < 2 || *n > most)
     throw UsageError(fmt::format("{} {}: a number of values from 2 to {} was expected at the end", option, text, most));

@@ -13,8 +13,8 @@ struct AxisText {
   std::string whole, keys, from, to;
   std::int64_t values = 0;
 };
-/// Throws UsageError naming the option, the text and what was expected.
-AxisText taken_apart(const std::string& option, const std::string& text);
+/// Throws UsageError naming the option, the text and what was expected, with an example of the verb.
+AxisText taken_apart(const std::string& option, const std::string& text, const std::string& example);
 
 /// How values lie between the bounds.
 enum class Spacing { equal, logarithmic };

@@ -23,7 +23,7 @@ struct Options {
 std::vector<AxisText> axes_of(const std::vector<std::string>& vary) {
   constexpr std::int64_t most_cells = 1000000;  // verdicts of some milliseconds: an hour or more
   std::vector<AxisText> axes;
-  for (const std::string& text : vary) axes.push_back(taken_apart("--vary", text));
+  for (const std::string& text : vary) axes.push_back(taken_apart("--vary", text, "spin=5rpm:20rpm:31"));
   if (axes.size() == 2 && axes[0].keys == axes[1].keys) throw UsageError(fmt::format("--vary: '{}' is given twice", axes[0].keys));
   if (axes.size() > 2) throw UsageError("--vary: one parameter, or two for a chart");
   if (axes.size() == 2 && axes[0].values * axes[1].values > most_cells) {

@@ -112,6 +112,8 @@ said(1, "--order x: a multiple of the speed was expected", "critical", "m.toml",
 said(0, "  2   86.9042", "critical", "m.toml", "--lowest", "4", model=ROTOR)
 said(1, "--over bearing[0].kxx=-1:1:3: bounds above 0 were expected", "critical", "m.toml", "--over", "bearing[0].kxx=-1:1:3", model=ROTOR)
 said(1, "--over: 'bearing[0].kx' is no parameter of the model: did you mean 'bearing[0].kxx'?", "critical", "m.toml", "--over", "bearing[0].kx=1:2:3", model=ROTOR)
+said(1, "'0' is no whole number above 0", "critical", "m.toml", "--lowest", "0", model=ROTOR)
+said(1, "such as bearing[*].kxx=1e5:1e8:31", "critical", "m.toml", "--over", "bearing[0].kxx=1:2", model=ROTOR)
 said(0, " 825.1338   829.8745", "critical", "m.toml", "--over", "bearing[*].kxx,bearing[*].kyy=1e5:1e7:3", "--below", "2000rpm", model=ROTOR)
 # The file at fault, of three
 WIRES = [str(models / "wiresaw" / f"{m}.mtx") for m in "MGK"]
