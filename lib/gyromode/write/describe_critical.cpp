@@ -10,17 +10,9 @@
 namespace gyromode::io {
 
 void describe(const Model& model, const CriticalSpeeds& r, Writer& w) {
-  const Coverage& c = r.coverage;
   w.fact("order", r.order, "order",
          fmt::format("{:g} × speed{}", r.order, model.frame == gyromode::Frame::turning ? ", in the turning axes of the model" : ""));
-  w.fact("coverage",
-         {{"status", to_string(c.status)},
-          {"window", bounds(c.window)},
-          {"requested", bounds(c.requested)},
-          {"found", c.found},
-          {"counted", c.counted ? Json(*c.counted) : Json(nullptr)}},
-         "coverage", coverage_words(c));
-  if (!c.reason.empty()) w.fact("coverage.reason", c.reason);
+  describe_coverage(r.coverage, w);
   w.fact("not_physical", r.not_physical, "not real",
          r.not_physical == 0 ? "" : fmt::format("{} roots with Ω² ≤ 0 or not real", r.not_physical));
   constexpr double rpm = 30 / std::numbers::pi;

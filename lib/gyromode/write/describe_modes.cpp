@@ -68,14 +68,7 @@ void describe(const Model& model, const ModesResult& r, Writer& w) {
   w.fact("structure.path", r.solver, "solver", r.solver);
   w.fact("stability", to_string(r.stability), "stability", stability_words(r.stability) + repaired_words(r.repairs));
   describe_balance(r.index_balance, w);
-  w.fact("coverage",
-         {{"status", to_string(c.status)},
-          {"window", bounds(c.window)},
-          {"requested", bounds(c.requested)},
-          {"found", c.found},
-          {"counted", c.counted ? Json(*c.counted) : Json(nullptr)}},
-         "coverage", coverage_words(c));
-  if (!c.reason.empty()) w.fact("coverage.reason", c.reason);
+  describe_coverage(c, w);
   if (c.interrupted) w.fact("interrupted", true);
   describe_repairs(r.repairs, w);
   const bool shapes = !r.modes.empty() && r.modes.front().shape.size() > 0;

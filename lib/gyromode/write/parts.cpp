@@ -105,6 +105,17 @@ void describe_class(const Model& model, const Structure& s, const InertiaOfK& k,
   if (model.ignored && model.ignored->largest > 0) w.fact("structure.largest_ignored_coupling", model.ignored->largest);
 }
 
+void describe_coverage(const Coverage& c, Writer& w) {
+  w.fact("coverage",
+         {{"status", to_string(c.status)},
+          {"window", bounds(c.window)},
+          {"requested", bounds(c.requested)},
+          {"found", c.found},
+          {"counted", c.counted ? Json(*c.counted) : Json(nullptr)}},
+         "coverage", coverage_words(c));
+  if (!c.reason.empty()) w.fact("coverage.reason", c.reason);
+}
+
 void describe_balance(const IndexBalance& b, Writer& w) {
   w.fact("index_balance", {{"negative", b.negative},
                            {"real_pairs", b.real_pairs},

@@ -40,6 +40,7 @@ std::string repaired_words(const std::vector<Repair>& repairs);
 void describe_repairs(const std::vector<Repair>& repairs, Writer& w);
 void describe_class(const Model& model, const Structure& s, const InertiaOfK& k, bool has_stiffness, Writer& w);
 void describe_balance(const IndexBalance& b, Writer& w);
+void describe_coverage(const Coverage& c, Writer& w);
 /// Modes as people read them.
 Table modes_lines(const std::vector<Mode>& modes);
 /// Modes for programs, under `key` in JSON; with their shapes where they have some.
