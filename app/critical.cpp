@@ -28,6 +28,7 @@ ExitCode run_over(const Options& o, const CriticalOptions& options, Job& job) {
       job.answer([&](const Model& m, const Progress& progress) { return m.critical_speeds_over(axis, options, progress); });
   o.output.write(document(job.model(), map, job.timings(), o.output.chosen()));
   if (map.interrupted) return job.interrupted();
+  if (!map.has_a_model()) throw LawBroken(fmt::format("--over: no value makes a model; at the first {}", map.rows.front().reason));
   if (map.is_complete()) return ExitCode::done;
   o.output.say("not certified complete at every value");
   return ExitCode::not_certified;

@@ -115,6 +115,8 @@ said(1, "--over: 'bearing[0].kx' is no parameter of the model: did you mean 'bea
 said(1, "'0' is no whole number above 0", "critical", "m.toml", "--lowest", "0", model=ROTOR)
 said(1, "such as bearing[*].kxx=1e5:1e8:31", "critical", "m.toml", "--over", "bearing[0].kxx=1:2", model=ROTOR)
 said(0, " 825.1338   829.8745", "critical", "m.toml", "--over", "bearing[*].kxx,bearing[*].kyy=1e5:1e7:3", "--below", "2000rpm", model=ROTOR)
+said(3, "--over: no value makes a model; at the first", "critical", "m.toml", "--over", "shaft[0].inner_diameter=1:2:3", model=ROTOR)
+said(0, "bearing 1: kxx = 1e-07 is lost by rounding beside the shaft's stiffness", "critical", "m.toml", "--lowest", "4", model=ROTOR.replace("kxx = 1e6", "kxx = 1e-7"))
 # The file at fault, of three
 WIRES = [str(models / "wiresaw" / f"{m}.mtx") for m in "MGK"]
 said(3, "M.mtx: G must satisfy G = −Gᵀ: the diagonal entry (1,1) = 0.5 must be 0, it is 1e+02 % of the largest entry; G is the same matrix as M: was", "modes", "--mass", WIRES[0], "--gyroscopic", WIRES[0], "--stiffness", WIRES[2])

@@ -7,6 +7,10 @@
 
 namespace gyromode {
 
+bool CriticalMap::has_a_model() const {
+  return std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r.reason.empty(); });
+}
+
 bool CriticalMap::is_complete() const {
   return !interrupted && std::all_of(rows.begin(), rows.end(), [](const Row& r) {
     return !r.reason.empty() || r.speeds.coverage.status == CoverageStatus::complete;

@@ -64,6 +64,8 @@ struct CriticalMap {
   std::vector<Row> rows;     ///< ascending
   bool interrupted = false;  ///< higher values were not looked at
 
+  /// Whether any of the values makes a model.
+  bool has_a_model() const;
   /// Whether the lists of all values are complete.
   bool is_complete() const;
 };

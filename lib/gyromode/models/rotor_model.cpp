@@ -1,5 +1,6 @@
 #include "gyromode/models/rotor_model.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/models/family_parameters.h"
 #include "gyromode/models/part_parameters.h"
 #include "gyromode/rotor/part_numbers.h"
@@ -38,6 +39,24 @@ std::vector<OrbitCoordinates> orbits_of(const Rotor& r) {
   return places;
 }
 
+// A bearing whose stiffness keeps fewer than three digits in the sum with the shaft's, in a sentence; or nothing.
+std::string lost_by_rounding(const Rotor& r, const Matrix& stiffness, std::size_t which) {
+  constexpr double digits = 1e3;
+  const Bearing& b = r.parts().bearings[which];
+  const Station& s = r.station_at(r.spool_named(b.spool), b.position);
+  const std::pair<const char*, double> springs[] = {{"kxx", b.kxx}, {"kyy", b.kyy}, {"tilt_xx", b.tilt_xx}, {"tilt_yy", b.tilt_yy}};
+  for (std::size_t d = 0; d < 4; ++d) {
+    const auto& [key, k] = springs[d];
+    const Index c = s.coordinate[d];
+    if (c < 0 || !(k > 0) || k > digits * epsilon * stiffness(c, c)) continue;
+    return fmt::format(
+        "bearing {}: {} = {:g} is lost by rounding beside the shaft's stiffness {:.3g} there: motions that it alone holds are not "
+        "determined",
+        which + 1, key, k, stiffness(c, c));
+  }
+  return {};
+}
+
 }  // namespace
 
 RotorModel::RotorModel(Rotor rotor)
@@ -58,6 +77,10 @@ std::vector<std::string> RotorModel::doubts(bool fixed_axes) const {
     all.push_back(
         fmt::format("parts at {:.9g} and {:.9g} m are {:.3g} m apart, and so short an element costs digits: put them at one place",
                     stations[k].position, stations[k + 1].position, length));
+  }
+  for (std::size_t k = 0; k < rotor_.parts().bearings.size(); ++k) {
+    const std::string lost = lost_by_rounding(rotor_, family_.stiffness, k);
+    if (!lost.empty()) all.push_back(lost);
   }
   return all;
 }

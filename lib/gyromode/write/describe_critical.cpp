@@ -9,13 +9,20 @@
 
 namespace gyromode::io {
 
+namespace {
+
+constexpr double rpm = 30 / std::numbers::pi;
+
+Json whirl_json(const CriticalSpeed& s) { return s.whirl ? Json(to_string(*s.whirl)) : Json(nullptr); }
+
+}  // namespace
+
 void describe(const Model& model, const CriticalSpeeds& r, Writer& w) {
   w.fact("order", r.order, "order",
          fmt::format("{:g} × speed{}", r.order, model.frame == gyromode::Frame::turning ? ", in the turning axes of the model" : ""));
   describe_coverage(r.coverage, w);
   w.fact("not_physical", r.not_physical, "not real",
          r.not_physical == 0 ? "" : fmt::format("{} roots with Ω² ≤ 0 or not real", r.not_physical));
-  constexpr double rpm = 30 / std::numbers::pi;
   w.table({"critical_speeds",
            "",
            {{"", "#"},
@@ -28,14 +35,13 @@ void describe(const Model& model, const CriticalSpeeds& r, Writer& w) {
            static_cast<Index>(r.speeds.size()),
            [&](Index k) {
              const CriticalSpeed& s = r.speeds[static_cast<std::size_t>(k)];
-             return std::vector<Cell>{
-                 {k + 1},
-                 {s.speed, determined(s.speed, s.error_bound)},
-                 {s.speed * rpm, determined(s.speed * rpm, s.error_bound * rpm, 10)},
-                 {s.whirl ? Json(to_string(*s.whirl)) : Json(nullptr), s.whirl ? std::string(to_string(*s.whirl)) : "–"},
-                 {s.residual},
-                 {s.error_bound},
-                 {shape_json(model.labels(), s.shape)}};
+             return std::vector<Cell>{{k + 1},
+                                      {s.speed, determined(s.speed, s.error_bound)},
+                                      {s.speed * rpm, determined(s.speed * rpm, s.error_bound * rpm, 10)},
+                                      {whirl_json(s), s.whirl ? std::string(to_string(*s.whirl)) : "–"},
+                                      {s.residual},
+                                      {s.error_bound},
+                                      {shape_json(model.labels(), s.shape)}};
            },
            true});
 }
@@ -43,7 +49,6 @@ void describe(const Model& model, const CriticalSpeeds& r, Writer& w) {
 // People see a row a value with as many speeds as a line holds; programs every speed of every value.
 void describe(const Model& model, const CriticalMap& map, Writer& w) {
   constexpr std::size_t most_columns = 6;
-  constexpr double rpm = 30 / std::numbers::pi;
   std::size_t most = 0;
   for (const CriticalMap::Row& r : map.rows) most = std::max(most, r.speeds.speeds.size());
   const auto dimension = require_parameter(*model.body, map.keys).dimension;
@@ -53,12 +58,12 @@ void describe(const Model& model, const CriticalMap& map, Writer& w) {
            fmt::format("{:g} × speed; critical speeds in rpm", map.rows.front().speeds.order));
   w.fact("over", map.keys);
   if (map.interrupted) w.fact("interrupted", true, "interrupted", "higher values were not looked at");
-  Table seen{"", "", {{"", heading, "{:.6g}"}}, static_cast<Index>(map.rows.size()), {}};
+  Table seen{"", "", {{"", heading}}, static_cast<Index>(map.rows.size()), {}};
   for (std::size_t c = 0; c < std::min(most, most_columns); ++c) seen.columns.push_back({"", fmt::format("{}", c + 1)});
   seen.columns.push_back({"", "counted"});
   seen.row = [&](Index k) {
     const CriticalMap::Row& r = map.rows[static_cast<std::size_t>(k)];
-    std::vector<Cell> cells{{r.value}};
+    std::vector<Cell> cells{{nullptr, fmt::format("{:.6g}", r.value)}};
     for (std::size_t c = 0; c < std::min(most, most_columns); ++c) {
       const bool there = c < r.speeds.speeds.size();
       cells.push_back({nullptr, there ? determined(r.speeds.speeds[c].speed * rpm, r.speeds.speeds[c].error_bound * rpm, 7) : ""});
@@ -78,8 +83,7 @@ void describe(const Model& model, const CriticalMap& map, Writer& w) {
              static_cast<Index>(all.size()),
              [all](Index k) {
                const auto& [r, s] = all[static_cast<std::size_t>(k)];
-               return std::vector<Cell>{
-                   {r->value}, {s->speed}, {s->speed * rpm}, {s->whirl ? Json(to_string(*s->whirl)) : Json(nullptr)}, {s->error_bound}};
+               return std::vector<Cell>{{r->value}, {s->speed}, {s->speed * rpm}, {whirl_json(*s)}, {s->error_bound}};
              },
              true});
     return;
@@ -88,10 +92,7 @@ void describe(const Model& model, const CriticalMap& map, Writer& w) {
              const CriticalMap::Row& r = map.rows[static_cast<std::size_t>(k)];
              Json speeds = Json::array();
              for (const CriticalSpeed& s : r.speeds.speeds)
-               speeds.push_back({{"omega", s.speed},
-                                 {"rpm", s.speed * rpm},
-                                 {"whirl", s.whirl ? Json(to_string(*s.whirl)) : Json(nullptr)},
-                                 {"error_bound", s.error_bound}});
+               speeds.push_back({{"omega", s.speed}, {"rpm", s.speed * rpm}, {"whirl", whirl_json(s)}, {"error_bound", s.error_bound}});
              return std::vector<Cell>{{r.value},
                                       {r.reason.empty() ? Json(to_string(r.speeds.coverage.status)) : Json(nullptr)},
                                       {speeds},
