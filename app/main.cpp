@@ -70,6 +70,7 @@ int main(int argc, char** argv) {
   add_structure(program, code);
   add_count(program, code);
   add_stability(program, code);
+  add_campbell(program, code);
   add_critical(program, code);
   add_response(program, code);
   add_convert(program, code);

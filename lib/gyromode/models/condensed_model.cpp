@@ -108,6 +108,10 @@ CriticalSpeeds CondensedModel::critical_speeds(const CriticalOptions& options) c
   return gyromode::critical_speeds(*matrices_.family, options);
 }
 
+SpinSource CondensedModel::spin_source() const {
+  return matrices_.family && matrices_.spin ? spin_source_of(matrices_.family) : ModelKind::spin_source();
+}
+
 StructureReport CondensedModel::structure(std::optional<double> at) const {
   if (at)
     throw NotApplicable("--at: H(ω) of a model with massless coordinates is that of its condensed matrices, which gyromode convert writes");

@@ -21,6 +21,7 @@ class CondensedModel : public ModelKind {
   StabilityReport stability(const Progress& progress) const override;
   StructureReport structure(std::optional<double> at) const override;
   CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
+  SpinSource spin_source() const override;
   void require_motion() const override {}
   ResponseReport response(const MotionRequest& request) const override;
   std::vector<Parameter> parameters() const override { return matrices_.parameters(); }

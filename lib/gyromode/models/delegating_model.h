@@ -21,6 +21,7 @@ class DelegatingModel : public ModelKind {
   StabilityReport stability(const Progress& progress) const override { return made_->stability(progress); }
   StructureReport structure(std::optional<double> at) const override { return made_->structure(at); }
   CriticalSpeeds critical_speeds(const CriticalOptions& options) const override { return made_->critical_speeds(options); }
+  SpinSource spin_source() const override { return made_->spin_source(); }
   std::vector<double> divergence_thresholds(std::string_view key, double a, double b) const override {
     return made_->divergence_thresholds(key, a, b);
   }

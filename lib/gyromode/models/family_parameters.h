@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gyromode/models/parameters.h"
+#include "gyromode/sweep/spin_sample.h"
 #include "gyromode/system/spin_family.h"
 
 #include <memory>
@@ -26,5 +27,8 @@ struct FamilyAtSpin {
 
 /// The model of them: a MatricesModel, or where coordinates have no mass a CondensedModel. @throws LawBroken
 std::shared_ptr<const ModelKind> model_of(FamilyAtSpin matrices);
+
+/// What a family says to a sweep over its spin.
+SpinSource spin_source_of(std::shared_ptr<const SpinFamily> family, std::vector<OrbitCoordinates> places = {});
 
 }  // namespace gyromode

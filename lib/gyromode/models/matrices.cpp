@@ -58,6 +58,10 @@ CriticalSpeeds MatricesModel::critical_speeds(const CriticalOptions& options) co
   return gyromode::critical_speeds(*matrices_.family, options);
 }
 
+SpinSource MatricesModel::spin_source() const {
+  return matrices_.family && matrices_.spin ? spin_source_of(matrices_.family) : ModelKind::spin_source();
+}
+
 // K₀ + Ω²K₂: those of Ω > 0, and their mirror images.
 std::vector<double> MatricesModel::divergence_thresholds(std::string_view key, double a, double b) const {
   if (key != "spin" || !matrices_.family || !matrices_.spin || matrices_.family->stiffness_per_spin2.size() == 0) return {};

@@ -33,6 +33,7 @@ class MatricesModel : public ModelKind {
   StabilityReport stability(const Progress& progress) const override;
   StructureReport structure(std::optional<double> at) const override;
   CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
+  SpinSource spin_source() const override;
   std::vector<double> divergence_thresholds(std::string_view key, double a, double b) const override;
   void require_motion() const override {}
   ResponseReport response(const MotionRequest& request) const override;

@@ -65,6 +65,14 @@ FamilyAtSpin FamilyAtSpin::with(const std::vector<ParameterValue>& values) const
   return {std::make_shared<const SpinFamily>(std::move(f)), at};
 }
 
+SpinSource spin_source_of(std::shared_ptr<const SpinFamily> family, std::vector<OrbitCoordinates> places) {
+  SpinSource source;
+  source.modes = [family](double spin, const ModesOptions& options) { return model_of({family, spin})->modes(options); };
+  source.family = std::move(family);
+  source.places = std::move(places);
+  return source;
+}
+
 std::shared_ptr<const ModelKind> model_of(FamilyAtSpin matrices) {
   const SpinFamily::Sum sum = matrices.family->sum(matrices.spin.value_or(0));
   if (auto c = condensation(matrices.family->mass, sum.gyroscopic, sum.stiffness, matrices.family->labels, matrices.family->admission))

@@ -37,6 +37,7 @@ StabilityMap Model::stability_over(const std::vector<ParameterAxis>& axes, const
   return gyromode::stability_over(*body, axes, progress);
 }
 CriticalSpeeds Model::critical_speeds(const CriticalOptions& options) const { return body->critical_speeds(options); }
+Campbell Model::campbell(const CampbellOptions& options) const { return gyromode::campbell(body->spin_source(), options); }
 StructureReport Model::structure(std::optional<double> at) const { return body->structure(at); }
 ResponseReport Model::response(const MotionRequest& request) const { return body->response(request); }
 FrequencyReport Model::frequency_response(const FrequencyRequest& request) const { return body->frequency_response(request); }

@@ -6,6 +6,7 @@
 #include "gyromode/models/requests.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/spacecraft/spacecraft.h"
+#include "gyromode/sweep/campbell.h"
 #include "gyromode/sweep/critical_speeds.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/spin_family.h"
@@ -80,6 +81,9 @@ struct Model {
   /// "values".
   /// @throws InvalidArgument where a key names no parameter
   CriticalMap critical_speeds_over(const ParameterAxis& axis, const CriticalOptions& options = {}, const Progress& progress = {}) const;
+  /// Frequencies over the spin, followed as branches, with their encounters and the intersections with excitations.
+  /// @throws NotApplicable for models that do not say how they depend on the spin
+  Campbell campbell(const CampbellOptions& options) const;
   /// What class it is in and why; with `at` (rad per unit of time, above 0 for a spacecraft) H there, the
   /// transformation and H*.
   StructureReport structure(std::optional<double> at = std::nullopt) const;

@@ -41,6 +41,12 @@ CriticalSpeeds ModelKind::critical_speeds(const CriticalOptions&) const {
       "depends on the speed");
 }
 
+SpinSource ModelKind::spin_source() const {
+  throw NotApplicable(
+      "a sweep over the spin needs a rotor, a spacecraft, or matrices with 'spin' and 'gyroscopic_per_spin' or 'stiffness_per_spin2': "
+      "this model does not say how it depends on the spin");
+}
+
 std::vector<double> ModelKind::divergence_thresholds(std::string_view, double, double) const { return {}; }
 
 std::optional<Parameter> ModelKind::parameter(std::string_view key) const {

@@ -6,6 +6,7 @@
 #include "gyromode/models/requests.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/sweep/critical_speeds.h"
+#include "gyromode/sweep/spin_sample.h"
 
 #include <memory>
 #include <optional>
@@ -49,6 +50,9 @@ class ModelKind {
 
   /// Throws NotApplicable unless it is a family of matrices with a spin.
   virtual CriticalSpeeds critical_speeds(const CriticalOptions& options) const;
+
+  /// What it says of itself to a sweep over its spin. Throws NotApplicable where it does not say how it depends on one.
+  virtual SpinSource spin_source() const;
 
   /// Values of the parameter `key` between a and b at which K is singular, so that divergence may begin or end: all of
   /// them where they are known of a kind of model, else none.

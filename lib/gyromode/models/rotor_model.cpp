@@ -59,10 +59,10 @@ std::string lost_by_rounding(const Rotor& r, const Matrix& stiffness, std::size_
 
 }  // namespace
 
-RotorModel::RotorModel(Rotor rotor)
-    : DelegatingModel(model_of({std::make_shared<const SpinFamily>(assembled(rotor)), rotor.parts().speed})),
-      rotor_(std::move(rotor)),
-      family_(assembled(rotor_)) {}
+RotorModel::RotorModel(Rotor rotor) : RotorModel(rotor, std::make_shared<const SpinFamily>(assembled(rotor))) {}
+
+RotorModel::RotorModel(const Rotor& rotor, std::shared_ptr<const SpinFamily> family)
+    : DelegatingModel(model_of({family, rotor.parts().speed})), rotor_(rotor), family_(std::move(family)) {}
 
 // The stiffness of an element goes with 1/l³: one a hundredth of the shaft's diameter long takes some six digits.
 std::vector<std::string> RotorModel::doubts(bool fixed_axes) const {
@@ -79,15 +79,17 @@ std::vector<std::string> RotorModel::doubts(bool fixed_axes) const {
                     stations[k].position, stations[k + 1].position, length));
   }
   for (std::size_t k = 0; k < rotor_.parts().bearings.size(); ++k) {
-    const std::string lost = lost_by_rounding(rotor_, family_.stiffness, k);
+    const std::string lost = lost_by_rounding(rotor_, family_->stiffness, k);
     if (!lost.empty()) all.push_back(lost);
   }
   return all;
 }
 
 CriticalSpeeds RotorModel::critical_speeds(const CriticalOptions& options) const {
-  return gyromode::critical_speeds(family_, options, orbits_of(rotor_));
+  return gyromode::critical_speeds(*family_, options, orbits_of(rotor_));
 }
+
+SpinSource RotorModel::spin_source() const { return spin_source_of(family_, orbits_of(rotor_)); }
 
 std::vector<Parameter> RotorModel::parameters() const {
   RotorParts parts = rotor_.parts();

@@ -17,13 +17,16 @@ class RotorModel : public DelegatingModel {
   /// Stations so near to each other that the element between them costs digits.
   std::vector<std::string> doubts(bool fixed_axes) const override;
   CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
+  SpinSource spin_source() const override;
   std::vector<Parameter> parameters() const override;
   std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
   std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> without_couplings(double tolerance) const override;
 
  private:
+  RotorModel(const Rotor& rotor, std::shared_ptr<const SpinFamily> family);
+
   Rotor rotor_;
-  SpinFamily family_;
+  std::shared_ptr<const SpinFamily> family_;
 };
 
 }  // namespace gyromode

@@ -51,6 +51,16 @@ StructureReport SpacecraftModel::structure(std::optional<double> at) const {
   return r;
 }
 
+// Orbits of the tilt, about axes 1 and 2 of the turning axes.
+SpinSource SpacecraftModel::spin_source() const {
+  const auto at = [s = spacecraft_](double spin) { return Spacecraft(spin, s.body(), s.cables(), s.beams(), s.masses()); };
+  SpinSource source;
+  source.modes = [at](double spin, const ModesOptions& options) { return find_modes(at(spin), options); };
+  source.impedance = [at](double omega, double spin) { return impedance_at(at(spin), omega); };
+  source.places = {{3, 4}};
+  return source;
+}
+
 ResponseReport SpacecraftModel::response(const MotionRequest& request) const {
   const SpacecraftResponse r(spacecraft_, request.initial, request.forces, request.points);
   ResponseReport report;

@@ -19,6 +19,7 @@ class SpacecraftModel : public ModelKind {
   ModesResult modes(const ModesOptions& options) const override;
   CountResult count(const Window& window) const override;
   StructureReport structure(std::optional<double> at) const override;
+  SpinSource spin_source() const override;
   void require_motion() const override {}
   ResponseReport response(const MotionRequest& request) const override;
   std::vector<Parameter> parameters() const override;

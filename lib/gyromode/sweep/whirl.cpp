@@ -10,6 +10,7 @@ std::string_view to_string(Whirl whirl) {
     case Whirl::forward: return "forward";
     case Whirl::backward: return "backward";
     case Whirl::mixed: return "mixed";
+    case Whirl::degenerate: return "degenerate";
     default: return "planar";
   }
 }
@@ -20,6 +21,7 @@ std::optional<Whirl> whirl_of(const ComplexVector& shape, const std::vector<Orbi
   constexpr double small = 1e-6;
   double largest = 0;
   for (const OrbitCoordinates& p : places) largest = std::max(largest, std::norm(shape(p.x)) + std::norm(shape(p.y)));
+  if (!(largest > small * small * shape.squaredNorm())) return std::nullopt;
   bool forward = false, backward = false;
   for (const OrbitCoordinates& p : places) {
     const double size = std::norm(shape(p.x)) + std::norm(shape(p.y)), area = -2 * std::imag(std::conj(shape(p.x)) * shape(p.y));

@@ -10,10 +10,11 @@ namespace gyromode {
 
 /// Which way a station goes round its orbit, seen with the rotation of the shaft.
 enum class Whirl {
-  forward,   ///< with it
-  backward,  ///< against it
-  mixed,     ///< some stations this way, others that way
-  planar     ///< along a line
+  forward,    ///< with it
+  backward,   ///< against it
+  mixed,      ///< some stations this way, others that way
+  planar,     ///< along a line
+  degenerate  ///< double modes at rest: any of the others, by combination
 };
 std::string_view to_string(Whirl whirl);
 
@@ -25,7 +26,7 @@ struct OrbitCoordinates {
 
 /// Of a motion Re(X e^{jωt}), ω > 0, of places that turn about z with speed > 0: x = cos ωt, y = sin ωt is forward. An
 /// orbit of an aspect ratio below 10⁻⁶ is a line; places that move less than 10⁻⁶ of the largest are passed over.
-/// Nothing where there are no places.
+/// Nothing where there are no places, or where none moves.
 std::optional<Whirl> whirl_of(const ComplexVector& shape, const std::vector<OrbitCoordinates>& places);
 
 }  // namespace gyromode

@@ -49,6 +49,9 @@ std::string document(const Model& model, const StructureReport& report, const Ti
 std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, Format format) {
   return written("critical", model, speeds, timings, format);
 }
+std::string document(const Model& model, const Campbell& diagram, const Timings& timings, Format format) {
+  return written("campbell", model, diagram, timings, format);
+}
 std::string document(const Model& model, const CriticalMap& map, const Timings& timings, Format format) {
   return written("critical", model, map, timings, format);
 }

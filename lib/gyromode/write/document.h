@@ -37,6 +37,7 @@ std::string document(const Model& model, const StructureReport& report, const Ti
 std::string document(const Model& model, const ResponseReport& report, const Timings& timings, Format format);
 std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, Format format);
 std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, Format format);
+std::string document(const Model& model, const Campbell& diagram, const Timings& timings, Format format);
 std::string document(const Model& model, const CriticalMap& map, const Timings& timings, Format format);
 std::string document(const Model& model, const StabilityReport& report, const Timings& timings, Format format);
 

@@ -79,6 +79,7 @@ void describe(const Model& model, const CountResult& result, Writer& w);
 void describe(const Model& model, const StructureReport& report, Writer& w);
 void describe(const Model& model, const CriticalSpeeds& speeds, Writer& w);
 void describe(const Model& model, const CriticalMap& map, Writer& w);
+void describe(const Model& model, const Campbell& diagram, Writer& w);
 void describe(const Model& model, const StabilityReport& report, Writer& w);
 void describe(const Model& model, const ResponseReport& report, Writer& w);
 void describe(const Model& model, const FrequencyReport& report, Writer& w);

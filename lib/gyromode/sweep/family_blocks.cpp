@@ -1,0 +1,248 @@
+#include "gyromode/sweep/family_blocks.h"
+
+#include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
+#include "gyromode/lapack/hermitian.h"
+#include "gyromode/lapack/small.h"
+#include "gyromode/lapack/symmetric.h"
+#include "gyromode/lapack/triangular.h"
+#include "gyromode/sweep/family_structure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace gyromode {
+
+namespace {
+
+constexpr Complex j(0, 1);
+
+// A Hermitian matrix re + j im; im is empty where it is real.
+struct Hermitian {
+  Matrix re, im;
+};
+
+// Disjoint sets of 0 … n − 1.
+class Sets {
+ public:
+  explicit Sets(Index n) : parent_(static_cast<std::size_t>(n)) { std::iota(parent_.begin(), parent_.end(), Index(0)); }
+  Index of(Index i) {
+    while (parent(i) != i) i = parent(i) = parent(parent(i));
+    return i;
+  }
+  void join(Index i, Index k) { parent(of(i)) = of(k); }
+
+ private:
+  Index& parent(Index i) { return parent_[static_cast<std::size_t>(i)]; }
+  std::vector<Index> parent_;
+};
+
+// L with LLᵀ = K₀ + τM, τ ≥ reach² as large as that takes.
+Matrix definite_factor(const Matrix& k, const Matrix& m, double reach) {
+  constexpr int most = 200;
+  double tau = reach * reach;
+  for (int step = 0; step < most; ++step, tau *= 4) {
+    const lapack::Cholesky c(Matrix(k + tau * m));
+    if (c.positive()) return c.lower();
+  }
+  throw NotApplicable("no combination K + τM of the family is positive definite");
+}
+
+// A symmetric matrix a, or j times a skew one, as T* · T with T = diag(1, −j): real by a partition.
+Hermitian in_phases(const Matrix& a, bool skew, const std::vector<bool>& quadrature, bool partition) {
+  const Index n = a.rows();
+  if (!partition) return skew ? Hermitian{Matrix::Zero(n, n), a} : Hermitian{a, {}};
+  if (!skew) return {a, {}};
+  Matrix re = a;
+  for (Index col = 0; col < n; ++col) {
+    for (Index row = 0; row < n; ++row) {
+      if (!quadrature[static_cast<std::size_t>(col)]) re(row, col) = -re(row, col);
+    }
+  }
+  return {re, {}};
+}
+
+void congruence(const Matrix& lower, Hermitian& h) {
+  for (Matrix* part : {&h.re, &h.im}) {
+    if (part->size() == 0) continue;
+    lapack::solve_lower(lower, *part);
+    lapack::solve_lower_transposed_right(lower, *part);
+  }
+}
+
+double norm_of(const Hermitian& h) { return std::hypot(h.re.norm(), h.im.norm()); }
+void normalise(Hermitian& h) {
+  const double size = norm_of(h);
+  for (Matrix* part : {&h.re, &h.im}) *part /= size;
+}
+
+// Leading eigenvectors of a combination: high frequencies have small eigenvalues, which rounding of the large ones
+// drowns. Those of one eigenvalue are determined as a set, a cluster.
+struct Element {
+  ComplexMatrix vectors;       // n × p
+  std::vector<Index> cluster;  // of each, ascending
+  std::vector<double> gap;     // of each cluster to the others, relative to the largest eigenvalue
+
+  double smallest_gap() const { return gap.empty() ? 1 : *std::min_element(gap.begin(), gap.end()); }
+};
+
+Element decomposed(const std::vector<Hermitian>& generators, double ratio) {
+  constexpr double leading = 1e-7, same = 1e-10;
+  const Index n = generators.front().re.rows();
+  Matrix re = Matrix::Zero(n, n), im;
+  double weight = 1;
+  for (const Hermitian& g : generators) {
+    re += weight * g.re;
+    if (g.im.size() > 0) im = im.size() > 0 ? Matrix(im + weight * g.im) : Matrix(weight * g.im);
+    weight *= ratio;
+  }
+  lapack::HermitianEigen e;
+  if (im.size() == 0) {
+    auto real = lapack::symmetric_eigen(std::move(re));
+    e = {std::move(real.values), real.vectors.cast<Complex>()};
+  } else {
+    e = lapack::hermitian_eigen(re.cast<Complex>() + j * im.cast<Complex>());
+  }
+  e.values /= e.values.cwiseAbs().maxCoeff();
+  Element all;
+  std::vector<Index> kept;
+  for (Index k = 0; k < n; ++k) {
+    if (!(std::abs(e.values(k)) > leading)) continue;
+    const double step = kept.empty() ? 1 : e.values(k) - e.values(kept.back());
+    if (step > same) {
+      if (!all.gap.empty()) all.gap.back() = std::min(all.gap.back(), step);
+      all.gap.push_back(step);
+    }
+    kept.push_back(k);
+    all.cluster.push_back(static_cast<Index>(all.gap.size()) - 1);
+  }
+  all.vectors = e.vectors(Eigen::all, kept);
+  return all;
+}
+
+// The one of a few combinations whose eigenvalues are farthest apart: the weights are irregular, so that different
+// blocks have different ones.
+Element generic_element(const std::vector<Hermitian>& generators) {
+  constexpr Index small_order = 64;
+  constexpr double far = 1e-2;
+  Element best = decomposed(generators, -0.7390851332151607);
+  if (generators.front().re.rows() > small_order) return best;
+  for (const double ratio : {0.5671432904097838, -1.3247179572447460, 0.4142135623730951, -0.6180339887498949}) {
+    if (best.smallest_gap() > far || generators.size() < 2) break;
+    Element other = decomposed(generators, ratio);
+    if (other.cluster.back() > best.cluster.back() ||
+        (other.cluster.back() == best.cluster.back() && other.smallest_gap() > best.smallest_gap()))
+      best = std::move(other);
+  }
+  return best;
+}
+
+// For every eigenvector the set that it belongs to, by the couplings of the generators: what rounding mixes of a
+// neighbour into an eigenvector, times a coupling of up to 1, is none.
+std::vector<Index> coupled(const Element& e, const std::vector<Hermitian>& generators) {
+  Sets sets(static_cast<Index>(e.gap.size()));
+  const double rounding = 32 * rounding_unit(e.vectors.rows());
+  for (const Hermitian& g : generators) {
+    ComplexMatrix c = e.vectors.adjoint() * (g.re * e.vectors);
+    if (g.im.size() > 0) c += j * (e.vectors.adjoint() * (g.im * e.vectors));
+    for (Index col = 0; col < c.cols(); ++col) {
+      const auto to = static_cast<std::size_t>(e.cluster[static_cast<std::size_t>(col)]);
+      for (Index row = 0; row < col; ++row) {
+        const auto from = static_cast<std::size_t>(e.cluster[static_cast<std::size_t>(row)]);
+        if (from != to && std::abs(c(row, col)) > rounding * (1 + 1 / e.gap[from] + 1 / e.gap[to]))
+          sets.join(static_cast<Index>(from), static_cast<Index>(to));
+      }
+    }
+  }
+  std::vector<Index> all;
+  for (const Index c : e.cluster) all.push_back(sets.of(c));
+  return all;
+}
+
+}  // namespace
+
+FamilyBlocks::FamilyBlocks(const SpinFamily& family, double reach) {
+  const Structure structure = structure_of(family);
+  for (const Component& c : structure.components) add_part(family, reach, c.coordinates, c.in_quadrature, c.quadrature());
+}
+
+void FamilyBlocks::add_part(const SpinFamily& f, double reach, const std::vector<Index>& coordinates,
+                            const std::vector<Index>& in_quadrature, bool partition) {
+  const Index n = static_cast<Index>(coordinates.size());
+  std::vector<bool> quadrature(coordinates.size());
+  for (std::size_t i = 0; i < coordinates.size(); ++i)
+    quadrature[i] = partition && std::binary_search(in_quadrature.begin(), in_quadrature.end(), coordinates[i]);
+  const auto own = [&](const Matrix& a) { return Matrix(a(coordinates, coordinates)); };
+
+  const Matrix mass = own(f.mass), lower = definite_factor(own(f.stiffness), mass, reach);
+  std::vector<Hermitian> generators{{mass, {}}};
+  if (f.stiffness_per_spin2.size() > 0) generators.push_back({own(f.stiffness_per_spin2), {}});
+  for (const Matrix* g : {&f.gyroscopic, &f.gyroscopic_per_spin}) {
+    if (g->size() > 0) generators.push_back(in_phases(own(*g), true, quadrature, partition));
+  }
+  for (Hermitian& g : generators) congruence(lower, g);
+  std::erase_if(generators, [](const Hermitian& g) { return !(norm_of(g) > 0); });
+  for (Hermitian& g : generators) normalise(g);
+  const Element e = generic_element(generators);
+  const std::vector<Index> set = coupled(e, generators);
+  const Index p = e.vectors.cols();
+  Part part{coordinates, {}, std::vector<Index>(static_cast<std::size_t>(p))};
+  ComplexMatrix rows = e.vectors.adjoint() * lower.transpose();
+  for (Index i = 0; i < n; ++i) {
+    if (quadrature[static_cast<std::size_t>(i)]) rows.col(i) *= j;  // T* = diag(1, j)
+  }
+  part.rows = std::move(rows);
+  std::vector<Index> number(static_cast<std::size_t>(p), -1);
+  for (std::size_t k = 0; k < part.block.size(); ++k) {
+    Index& b = number[static_cast<std::size_t>(set[k])];
+    if (b < 0) b = count_++;
+    part.block[k] = b;
+  }
+  parts_.push_back(std::move(part));
+}
+
+ComplexMatrix FamilyBlocks::in_eigenvectors(const Part& part, const ComplexMatrix& shapes) const {
+  return part.rows * shapes(part.coordinates, Eigen::all);
+}
+
+Vector FamilyBlocks::shares(const ComplexVector& shape) const {
+  Vector all = Vector::Zero(count_);
+  for (const Part& part : parts_) {
+    const ComplexMatrix y = in_eigenvectors(part, shape);
+    for (Index k = 0; k < y.rows(); ++k) all(part.block[static_cast<std::size_t>(k)]) += std::norm(y(k, 0));
+  }
+  const double sum = all.sum();
+  return sum > 0 ? Vector(all / sum) : all;
+}
+
+std::optional<Index> FamilyBlocks::block_of(const ComplexVector& shape) const {
+  constexpr double pure = 1 - 1e-4;
+  Index at = 0;
+  return shares(shape).maxCoeff(&at) >= pure ? std::optional(at) : std::nullopt;
+}
+
+bool FamilyBlocks::is_pure(const ComplexVector& shape) const {
+  constexpr double others = 1e-12;  // squares
+  const Vector all = shares(shape);
+  return all.sum() - all.maxCoeff() <= others;
+}
+
+// The blocks are told apart by weights: Σ w_b P_b has the pure combinations as its eigenvectors.
+ComplexMatrix FamilyBlocks::separated(const ComplexMatrix& shapes) const {
+  const Index m = shapes.cols();
+  ComplexMatrix weighted = ComplexMatrix::Zero(m, m), gram = weighted;
+  for (const Part& part : parts_) {
+    const ComplexMatrix y = in_eigenvectors(part, shapes);
+    Vector w(y.rows());
+    for (Index k = 0; k < y.rows(); ++k)
+      w(k) = 1 + std::fmod(0.6180339887498949 * static_cast<double>(part.block[static_cast<std::size_t>(k)]), 1.0);
+    gram += y.adjoint() * y;
+    weighted += y.adjoint() * w.asDiagonal() * y;
+  }
+  const auto g = small::hermitian_eigen(gram);
+  const ComplexMatrix unit = g.vectors * g.values.cwiseMax(epsilon * g.values.maxCoeff()).cwiseSqrt().cwiseInverse().asDiagonal();
+  return shapes * (unit * small::hermitian_eigen(ComplexMatrix(unit.adjoint() * weighted * unit)).vectors);
+}
+
+}  // namespace gyromode

@@ -1,0 +1,253 @@
+#include "gyromode/sweep/spin_track.h"
+
+#include "gyromode/base/error.h"
+#include "gyromode/base/parallel.h"
+#include "gyromode/base/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace gyromode {
+
+namespace {
+
+constexpr double unresolved = 4;  // times the errors of two frequencies: a distance below is not known
+
+// Whether roots came or went between two spins otherwise than through the upper end of the window.
+bool same_balance(const SpinSample& a, const SpinSample& b) {
+  const IndexBalance &x = a.balance, &y = b.balance;
+  return x.closed && y.closed && x.negative == y.negative && x.zero == y.zero && x.quadruples == y.quadruples &&
+         x.real_pairs == y.real_pairs && x.negative_energy == y.negative_energy;
+}
+
+// How far b is from where a leads to.
+double mismatch(const SampledMode& a, const SampledMode& b, double step) {
+  const double plain = std::abs(b.omega - a.omega);
+  if (!a.slope || !b.slope) return plain;
+  return std::min(plain, std::abs(b.omega - a.omega - step * (*a.slope + *b.slope) / 2));
+}
+
+// The order-keeping assignment of the shorter list to the longer with the least sum of mismatches, by dynamic
+// programming: result[i] is the position in `longer` of item i of `shorter`.
+std::vector<std::size_t> best_order(const std::vector<Index>& shorter, const std::vector<Index>& longer,
+                                    const std::function<double(Index, Index)>& cost) {
+  const std::size_t p = shorter.size(), q = longer.size();
+  std::vector<std::vector<double>> sum(p + 1, std::vector<double>(q + 1, infinity));
+  for (std::size_t k = 0; k <= q; ++k) sum[0][k] = 0;
+  for (std::size_t i = 1; i <= p; ++i) {
+    for (std::size_t k = i; k <= q; ++k) sum[i][k] = std::min(sum[i][k - 1], sum[i - 1][k - 1] + cost(shorter[i - 1], longer[k - 1]));
+  }
+  std::vector<std::size_t> at(p);
+  for (std::size_t i = p, k = q; i > 0; --k) {
+    if (k > i && sum[i][k] == sum[i][k - 1]) continue;
+    at[--i] = k - 1;
+  }
+  return at;
+}
+
+}  // namespace
+
+std::map<SpinTrack::Key, std::vector<Index>> SpinTrack::lists_of(const SpinSample& s) {
+  std::map<Key, std::vector<Index>> lists;
+  for (std::size_t k = 0; k < s.modes.size(); ++k) lists[{s.modes[k].block, s.modes[k].energy_sign}].push_back(static_cast<Index>(k));
+  return lists;
+}
+
+const SampledMode* SpinTrack::mode(const Point& point, Index branch) {
+  const auto k = static_cast<std::size_t>(branch);
+  if (k >= point.place.size() || point.place[k] < 0) return nullptr;
+  return &point.sample.modes[static_cast<std::size_t>(point.place[k])];
+}
+
+SpinTrack::Joined SpinTrack::join(const SpinSample& a, const SpinSample& b) {
+  Joined j{std::vector<Index>(b.modes.size(), -1), true};
+  const bool same = same_balance(a, b);
+  const double step = b.spin - a.spin;
+  auto before = lists_of(a);
+  for (const auto& [key, to] : lists_of(b)) {
+    const std::vector<Index>& from = before[key];
+    if (same || from.size() == to.size()) {
+      for (std::size_t k = 0; k < std::min(from.size(), to.size()); ++k) j.from[static_cast<std::size_t>(to[k])] = from[k];
+      if (same) continue;
+    } else {
+      const bool fewer = to.size() < from.size();
+      const auto cost = [&](Index x, Index y) {
+        return mismatch(a.modes[static_cast<std::size_t>(fewer ? y : x)], b.modes[static_cast<std::size_t>(fewer ? x : y)], step);
+      };
+      const std::vector<std::size_t> at = fewer ? best_order(to, from, cost) : best_order(from, to, cost);
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        if (fewer)
+          j.from[static_cast<std::size_t>(to[k])] = from[at[k]];
+        else
+          j.from[static_cast<std::size_t>(to[at[k]])] = from[k];
+      }
+    }
+    // Sure where every root moves by much less than what is between it and the others: what veers is not torn apart.
+    constexpr double part = 0.25;
+    for (std::size_t k = 0; k < to.size(); ++k) {
+      const SampledMode& m = b.modes[static_cast<std::size_t>(to[k])];
+      const Index source = j.from[static_cast<std::size_t>(to[k])];
+      if (source < 0) continue;
+      const double before_it = a.modes[static_cast<std::size_t>(source)].omega, moved = std::abs(m.omega - before_it);
+      for (const Index other : from) {
+        if (other != source && !(moved < part * std::abs(a.modes[static_cast<std::size_t>(other)].omega - before_it))) j.sure = false;
+      }
+      for (const Index other : to) {
+        if (other != to[k] && !(moved < part * std::abs(b.modes[static_cast<std::size_t>(other)].omega - m.omega))) j.sure = false;
+      }
+    }
+  }
+  return j;
+}
+
+// Branches that leave the axis wait for roots of their block and sign that return to it.
+void SpinTrack::resume(const Point& from, Point& to) {
+  const Index left = to.sample.balance.quadruples - from.sample.balance.quadruples;
+  if (left > 0) {
+    for (std::size_t k = 0; k < from.branch.size(); ++k) {
+      if (std::find(to.branch.begin(), to.branch.end(), from.branch[k]) == to.branch.end())
+        fluttering_[{from.sample.modes[k].block, from.sample.modes[k].energy_sign}].push_back(from.branch[k]);
+    }
+  } else if (left < 0) {
+    for (std::size_t k = 0; k < to.branch.size(); ++k) {
+      auto& waiting = fluttering_[{to.sample.modes[k].block, to.sample.modes[k].energy_sign}];
+      if (to.branch[k] >= 0 || waiting.empty()) continue;
+      to.branch[k] = waiting.back();
+      waiting.pop_back();
+    }
+  }
+}
+
+void SpinTrack::store(const Point& from, const Joined& joined, SpinSample sample) {
+  Point p{std::move(sample), {}, {}};
+  for (std::size_t k = 0; k < p.sample.modes.size(); ++k)
+    p.branch.push_back(joined.from[k] < 0 ? -1 : from.branch[static_cast<std::size_t>(joined.from[k])]);
+  resume(from, p);
+  for (Index& b : p.branch) {
+    if (b < 0) b = branches_++;
+  }
+  p.place.assign(static_cast<std::size_t>(branches_), -1);
+  for (std::size_t k = 0; k < p.branch.size(); ++k) p.place[static_cast<std::size_t>(p.branch[k])] = static_cast<Index>(k);
+  const double spin = p.sample.spin;
+  points_.insert_or_assign(spin, std::move(p));
+}
+
+void SpinTrack::extend(const Point& from, SpinSample sample, int halvings) {
+  const Joined joined = join(from.sample, sample);
+  const double middle = 0.5 * (from.sample.spin + sample.spin);
+  if (joined.sure || halvings == 0 || middle == from.sample.spin || middle == sample.spin) {
+    store(from, joined, std::move(sample));
+    return;
+  }
+  extend(from, sampler_.at(middle), halvings - 1);
+  extend(points_.at(middle), std::move(sample), halvings - 1);
+}
+
+SpinTrack::SpinTrack(const SpinSampler& sampler, const std::vector<double>& spins, const Progress& progress) : sampler_(sampler) {
+  constexpr int most_halvings = 24;
+  std::vector<std::optional<SpinSample>> samples(spins.size());
+  const bool whole = for_each_in_parallel(
+      static_cast<Index>(spins.size()),
+      [&](Index k) { samples[static_cast<std::size_t>(k)] = sampler.at(spins[static_cast<std::size_t>(k)]); },
+      [&](Index done) {
+        progress.report("spins", done, static_cast<Index>(spins.size()));
+        return !progress.stopped();
+      });
+  interrupted_ = !whole;
+  const Point* last = nullptr;
+  for (std::optional<SpinSample>& s : samples) {
+    if (!s) break;
+    const double spin = s->spin;
+    if (!last) {
+      const Joined none{std::vector<Index>(s->modes.size(), -1), true};
+      store(Point{}, none, std::move(*s));
+    } else {
+      extend(*last, std::move(*s), most_halvings);
+    }
+    last = &points_.at(spin);
+  }
+  if (!last) throw Interrupted();
+  constexpr int most_refinements = 16;
+  std::vector<double> joined;
+  for (const auto& [spin, point] : points_) joined.push_back(spin);
+  for (std::size_t k = 0; k + 1 < joined.size(); ++k) refine(joined[k], joined[k + 1], most_refinements);
+}
+
+// Whether every branch leads by its slopes to where it is next, or two neighbours of a list to each other's places.
+bool SpinTrack::is_understood(const SpinSample& a, const SpinSample& b) {
+  if (!same_balance(a, b)) return true;  // settled when they were joined
+  constexpr double part = 0.1;           // of the distance to the next root
+  const double step = b.spin - a.spin;
+  auto after = lists_of(b);
+  for (const auto& [key, from] : lists_of(a)) {
+    const std::vector<Index>& to = after[key];
+    const std::size_t n = std::min(from.size(), to.size());
+    const auto mode_of = [&](const SpinSample& s, const std::vector<Index>& list, std::size_t k) -> const SampledMode& {
+      return s.modes[static_cast<std::size_t>(list[k])];
+    };
+    const auto leads = [&](std::size_t i, std::size_t k) {
+      const SampledMode &x = mode_of(a, from, i), &y = mode_of(b, to, k);
+      if (!x.slope || !y.slope) return true;
+      double room = infinity;
+      for (std::size_t l = 0; l < n; ++l) {
+        if (l != i) room = std::min(room, std::abs(mode_of(a, from, l).omega - x.omega));
+        if (l != k) room = std::min(room, std::abs(mode_of(b, to, l).omega - y.omega));
+      }
+      return std::abs(y.omega - x.omega - step * (*x.slope + *y.slope) / 2) <= part * room + unresolved * (x.error + y.error);
+    };
+    for (std::size_t k = 0; k < n; ++k) {
+      if (leads(k, k)) continue;
+      if (k + 1 < n && leads(k, k + 1) && leads(k + 1, k)) {
+        ++k;
+        continue;
+      }
+      return false;
+    }
+  }
+  return true;
+}
+
+// Whether a branch that is at one end of a step only might meet another one of that end before it is gone, as its slope
+// goes: four times the step covers what ends in a square root (ω → 0, flutter).
+bool SpinTrack::may_meet_before_the_end(const Point& here, const Point& there) {
+  constexpr double reach = 4;
+  const double step = there.sample.spin - here.sample.spin;
+  for (std::size_t i = 0; i < here.branch.size(); ++i) {
+    const SampledMode& leaving = here.sample.modes[i];
+    if (mode(there, here.branch[i]) || !leaving.slope) continue;
+    for (std::size_t k = 0; k < here.branch.size(); ++k) {
+      const SampledMode& other = here.sample.modes[k];
+      if (k == i || !other.slope || other.block == leaving.block) continue;
+      const double d = leaving.omega - other.omega;
+      if (d * (d + reach * step * (*leaving.slope - *other.slope)) < 0) return true;
+    }
+  }
+  return false;
+}
+
+void SpinTrack::refine(double below, double above, int halvings) {
+  const double middle = 0.5 * (below + above);
+  if (halvings == 0 || middle == below || middle == above) return;
+  const Point &a = points_.at(below), &b = points_.at(above);
+  if (is_understood(a.sample, b.sample) && !may_meet_before_the_end(a, b) && !may_meet_before_the_end(b, a)) return;
+  at(middle);
+  refine(below, middle, halvings - 1);
+  refine(middle, above, halvings - 1);
+}
+
+// A point between two others continues the one below where nothing came or went, else the one above.
+const SpinTrack::Point& SpinTrack::at(double spin) {
+  const auto above = points_.lower_bound(spin);
+  if (above->first == spin) return above->second;
+  const Point& below = std::prev(above)->second;
+  SpinSample sample = sampler_.at(spin);
+  const bool like_below = same_balance(below.sample, sample);
+  const Point& like = like_below || !same_balance(sample, above->second.sample) ? below : above->second;
+  const Joined joined = join(like.sample, sample);
+  store(like, joined, std::move(sample));
+  return points_.at(spin);
+}
+
+}  // namespace gyromode

@@ -1,0 +1,195 @@
+#include "gyromode/write/digits.h"
+#include "gyromode/write/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace gyromode::io {
+
+namespace {
+
+constexpr double rpm = 30 / std::numbers::pi;
+
+template <class Item>
+Json whirl_json(const Item& m) {
+  return m.whirl ? Json(to_string(*m.whirl)) : Json(nullptr);
+}
+
+// One value of every spin, null where the branch has none.
+template <class Value>
+Json over_spins(const CampbellBranch& b, const Value& value) {
+  Json all = Json::array();
+  for (const auto& m : b.modes) all.push_back(m ? Json(value(*m)) : Json(nullptr));
+  return all;
+}
+
+Json branch_coverage(const Campbell& c, const CampbellBranch& b) {
+  Json all = Json::array();
+  for (std::size_t s = 0; s < b.modes.size(); ++s) all.push_back(b.modes[s] ? Json(to_string(c.coverage[s].status)) : Json(nullptr));
+  return all;
+}
+
+// The whirl of a branch at its first and its last spin but rest.
+std::string whirl_words(const Campbell& c, const CampbellBranch& b) {
+  std::string first, last;
+  for (std::size_t s = 0; s < b.modes.size(); ++s) {
+    if (!b.modes[s] || !b.modes[s]->whirl || c.spins[s] == 0) continue;
+    last = to_string(*b.modes[s]->whirl);
+    if (first.empty()) first = last;
+  }
+  return first.empty() ? "–" : first == last ? first : first + " … " + last;
+}
+
+void describe_branches(const Campbell& c, Writer& w) {
+  const double first = c.spins.front() * rpm, last = c.spins.back() * rpm;
+  const auto words = [](const std::optional<SampledMode>& m) { return m ? determined(m->omega, m->error, 8) : std::string(); };
+  w.table({"",
+           "",
+           {{"", "branch"},
+            {"", "whirl"},
+            {"", fmt::format("ω at {:.6g} rpm [rad/s]", first)},
+            {"", fmt::format("at {:.6g} rpm", c.spins[c.spins.size() / 2] * rpm)},
+            {"", fmt::format("at {:.6g} rpm", last)},
+            {"", "energy"}},
+           static_cast<Index>(c.branches.size()),
+           [&](Index k) {
+             const CampbellBranch& b = c.branches[static_cast<std::size_t>(k)];
+             const bool negative = std::any_of(b.modes.begin(), b.modes.end(), [](const auto& m) { return m && m->energy_sign < 0; });
+             return std::vector<Cell>{{nullptr, fmt::format("{}", k + 1)}, {nullptr, whirl_words(c, b)},
+                                      {nullptr, words(b.modes.front())},   {nullptr, words(b.modes[b.modes.size() / 2])},
+                                      {nullptr, words(b.modes.back())},    {nullptr, negative ? "−" : "+"}};
+           }});
+  if (w.for_csv()) return;
+  w.table({"branches",
+           "",
+           {{"omega"}, {"whirl"}, {"energy_sign"}, {"slope"}, {"error_bound"}, {"coverage"}, {"multiplicity"}},
+           static_cast<Index>(c.branches.size()),
+           [&](Index k) {
+             const CampbellBranch& b = c.branches[static_cast<std::size_t>(k)];
+             Index multiplicity = 1;
+             for (const auto& m : b.modes) multiplicity = std::max(multiplicity, m ? m->multiplicity : 1);
+             return std::vector<Cell>{{over_spins(b, [](const SampledMode& m) { return m.omega; })},
+                                      {over_spins(b, whirl_json<SampledMode>)},
+                                      {over_spins(b, [](const SampledMode& m) { return m.energy_sign; })},
+                                      {over_spins(b, [](const SampledMode& m) { return m.slope ? Json(*m.slope) : Json(nullptr); })},
+                                      {over_spins(b, [](const SampledMode& m) { return m.error; })},
+                                      {branch_coverage(c, b)},
+                                      {multiplicity}};
+           }});
+}
+
+void describe_encounters(const Campbell& c, Writer& w) {
+  if (c.encounters.empty()) {
+    w.say("encounters", c.interrupted ? "" : "none: the branches do not meet");
+  }
+  w.table({"events",
+           "",
+           {{"kind", "encounter"},
+            {"spin", "Ω [rad/s]"},
+            {"", "speed [rpm]"},
+            {"omega", "ω [rad/s]"},
+            {"branches", "branches"},
+            {"gap", "gap [rad/s]"},
+            {"gap_error"},
+            {"flutter", "off the axis [rad/s]"}},
+           static_cast<Index>(c.encounters.size()),
+           [&](Index k) {
+             const Encounter& e = c.encounters[static_cast<std::size_t>(k)];
+             const bool gap = e.kind == EncounterKind::veering || e.kind == EncounterKind::ambiguous;
+             return std::vector<Cell>{{to_string(e.kind)},
+                                      {e.spin, fmt::format("{:.8g}", e.spin)},
+                                      {nullptr, fmt::format("{:.7g}", e.spin * rpm)},
+                                      {e.omega, fmt::format("{:.8g}", e.omega)},
+                                      {Json{e.branches[0], e.branches[1]}, fmt::format("{}, {}", e.branches[0] + 1, e.branches[1] + 1)},
+                                      {e.gap, gap ? fmt::format("{:.3g}", e.gap) : ""},
+                                      {e.error},
+                                      {e.flutter ? Json{(*e.flutter)[0], (*e.flutter)[1]} : no_value,
+                                       e.flutter ? fmt::format("{:.7g} … {:.7g}", (*e.flutter)[0], (*e.flutter)[1]) : ""}};
+           }});
+}
+
+// All orders in one list.
+std::vector<Intersection> intersections_of(const Campbell& c) {
+  std::vector<Intersection> all;
+  for (const Intersections& line : c.excitation) all.insert(all.end(), line.all.begin(), line.all.end());
+  return all;
+}
+
+void describe_excitation(const Campbell& c, Writer& w) {
+  const std::vector<Intersection> all = intersections_of(c);
+  w.table({"excitation",
+           "",
+           {{"order", "excitation"},
+            {"spin", "Ω [rad/s]"},
+            {"", "speed [rpm]"},
+            {"omega", "ω [rad/s]"},
+            {"branch", "branch"},
+            {"whirl", "whirl"},
+            {"error_bound"}},
+           static_cast<Index>(all.size()),
+           [&](Index k) {
+             const Intersection& x = all[static_cast<std::size_t>(k)];
+             return std::vector<Cell>{{x.order, fmt::format("{:g} ×", x.order)},
+                                      {x.spin, determined(x.spin, x.error, 8)},
+                                      {nullptr, determined(x.spin * rpm, x.error * rpm, 7)},
+                                      {x.omega, determined(x.omega, x.order * x.error, 8)},
+                                      {x.branch, fmt::format("{}", x.branch + 1)},
+                                      {whirl_json(x), x.whirl ? std::string(to_string(*x.whirl)) : "–"},
+                                      {x.error}};
+           }});
+  Json counted = Json::array();
+  for (const Intersections& line : c.excitation) counted.push_back({{"order", line.order}, {"status", to_string(line.coverage.status)}});
+  w.fact("excitation_coverage", counted);
+}
+
+// A line a branch and spin.
+void describe_csv(const Campbell& c, Writer& w) {
+  std::vector<std::pair<std::size_t, std::size_t>> all;  // spin and branch
+  for (std::size_t s = 0; s < c.spins.size(); ++s) {
+    for (std::size_t b = 0; b < c.branches.size(); ++b) {
+      if (c.branches[b].modes[s]) all.emplace_back(s, b);
+    }
+  }
+  w.table({"",
+           "",
+           {{"spin"}, {"branch"}, {"omega"}, {"frequency_hz"}, {"whirl"}, {"energy_sign"}, {"error_bound"}, {"coverage"}},
+           static_cast<Index>(all.size()),
+           [all, &c](Index k) {
+             const auto& [s, b] = all[static_cast<std::size_t>(k)];
+             const SampledMode& m = *c.branches[b].modes[s];
+             return std::vector<Cell>{{c.spins[s]},    {b + 1},         {m.omega}, {hertz(m.omega)},
+                                      {whirl_json(m)}, {m.energy_sign}, {m.error}, {Json(to_string(c.coverage[s].status))}};
+           },
+           true});
+}
+
+}  // namespace
+
+void describe(const Model& model, const Campbell& c, Writer& w) {
+  if (w.for_csv()) {
+    describe_csv(c, w);
+    return;
+  }
+  const auto complete =
+      std::count_if(c.coverage.begin(), c.coverage.end(), [](const Coverage& x) { return x.status == CoverageStatus::complete; });
+  const auto unstable = std::count(c.stability.begin(), c.stability.end(), Stability::unstable);
+  w.fact("spins", c.spins, "spins",
+         fmt::format("{:.6g} … {:.6g} rpm, {}{}", c.spins.front() * rpm, c.spins.back() * rpm, c.spins.size(),
+                     model.frame == gyromode::Frame::turning ? "; frequencies in the turning axes of the model" : ""));
+  w.say("coverage", fmt::format("complete at {} of {} spins", complete, c.spins.size()));
+  if (unstable > 0) w.say("unstable", fmt::format("at {} of {} spins", unstable, c.spins.size()));
+  Json statuses = Json::array(), verdicts = Json::array();
+  for (const Coverage& x : c.coverage) statuses.push_back(to_string(x.status));
+  for (const Stability x : c.stability) verdicts.push_back(to_string(x));
+  w.fact("coverage", statuses);
+  w.fact("stability", verdicts);
+  w.fact("growth_rate", c.growth_rate);
+  if (c.interrupted) w.fact("interrupted", true, "interrupted", "higher spins were not looked at");
+  describe_branches(c, w);
+  describe_encounters(c, w);
+  describe_excitation(c, w);
+}
+
+}  // namespace gyromode::io
