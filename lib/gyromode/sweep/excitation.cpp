@@ -84,21 +84,21 @@ Intersections by_signs(SpinTrack& track, double order) {
   std::vector<double> spins;
   for (const auto& [spin, point] : track.points()) spins.push_back(spin);
   for (Index b = 0; b < track.branches(); ++b) {
-    // The height of the branch over the line at every point: 0 where it is within its error, nothing where there is
-    // none.
-    std::vector<std::optional<double>> height;
+    // The height of the branch over the line at every point: 0 where it is within its error, not a number where there
+    // is none.
+    std::vector<double> height{std::nan("")};
     for (const double spin : spins) {
       const SampledMode* m = SpinTrack::mode(track.at(spin), b);
-      const double above = m ? m->omega - order * std::abs(spin) : 0;
-      height.push_back(m ? std::optional(std::abs(above) <= 4 * m->error ? 0 : above) : std::nullopt);
+      const double above = m ? m->omega - order * std::abs(spin) : std::nan("");
+      height.push_back(m && std::abs(above) <= 4 * m->error ? 0 : above);
     }
+    height.push_back(std::nan(""));
     for (std::size_t k = 0; k < spins.size(); ++k) {
-      const auto before = k > 0 ? height[k - 1] : std::nullopt, after = k + 1 < spins.size() ? height[k + 1] : std::nullopt;
-      if (!height[k]) continue;
-      if (*height[k] == 0 && !(before && *before == 0) && !(after && *after == 0)) {  // the line itself is no intersection
+      const double before = height[k], here = height[k + 1], after = height[k + 2];
+      if (here == 0 && before != 0 && after != 0) {  // the line itself is no intersection
         const SampledMode* m = SpinTrack::mode(track.at(spins[k]), b);
         r.all.push_back({order, spins[k], b, m->omega, m->error, m->whirl});
-      } else if (before && *before * *height[k] < 0) {
+      } else if (before * here < 0) {
         r.all.push_back(refined(track, b, order, spins[k - 1], spins[k]));
       }
     }
