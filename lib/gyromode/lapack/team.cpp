@@ -111,6 +111,9 @@ int threads_for(Index n) {
   return n < worth_sharing ? 1 : std::min(openblas_get_num_threads(), most);
 }
 
+BlasOnOneThread::BlasOnOneThread() : before_(openblas_get_num_threads()) { openblas_set_num_threads(1); }
+BlasOnOneThread::~BlasOnOneThread() { openblas_set_num_threads(before_); }
+
 void use_one_thread_for_small(Index n) {
   const bool said = std::getenv("OPENBLAS_NUM_THREADS") || std::getenv("GOTO_NUM_THREADS") || std::getenv("OMP_NUM_THREADS");
   if (!said && n < worth_sharing) openblas_set_num_threads(1);

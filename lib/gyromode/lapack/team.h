@@ -45,6 +45,18 @@ class Team {
 /// to share.
 int threads_for(Index n);
 
+/// While one exists the BLAS uses one thread: for work that is shared out in larger pieces, which call it side by side.
+class BlasOnOneThread {
+ public:
+  BlasOnOneThread();
+  ~BlasOnOneThread();
+  BlasOnOneThread(const BlasOnOneThread&) = delete;
+  BlasOnOneThread& operator=(const BlasOnOneThread&) = delete;
+
+ private:
+  int before_;
+};
+
 /// Keeps the BLAS of this process on one thread where matrices of order n are too little work to share: threads that
 /// wait for work compete with whatever else the machine does. Nothing changes where the environment says how many
 /// (OPENBLAS_NUM_THREADS, GOTO_NUM_THREADS, OMP_NUM_THREADS). For a program; a library leaves it to its caller.

@@ -1,6 +1,7 @@
 #include "gyromode/sweep/campbell.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/lapack/team.h"
 #include "gyromode/sweep/encounters.h"
 #include "gyromode/sweep/excitation.h"
 
@@ -34,7 +35,8 @@ bool Campbell::is_complete() const {
 
 Campbell campbell(const SpinSource& source, const CampbellOptions& o) {
   require(o);
-  const SpinSampler sampler(source, {o.below, o.lowest}, 0.5 * (o.spins.front() + o.spins.back()));
+  const lapack::BlasOnOneThread one;  // spins are solved side by side
+  const SpinSampler sampler(source, {o.below, o.lowest}, o.spins.front(), o.spins.back());
   SpinTrack track(sampler, o.spins, o.progress);
   Campbell c;
   c.interrupted = track.interrupted();

@@ -258,7 +258,7 @@ void walk(Search& search, const std::vector<double>& spins, Index i, Index k, bo
         search.touching(i, k, last, now, most_halvings);
       else if (!one_sign)
         search.opposite_signs(i, k, last, now);
-      else if (!swapped && last.sloped() && now.sloped() && last.slope() < 0 && now.slope() > 0)
+      else if (!swapped && last.sloped() && now.sloped() && last.slope() < 0 && now.slope() > 0 && (neighbours(last) || neighbours(now)))
         search.veering(i, k, last, now);
     }
     seen = now;

@@ -77,8 +77,12 @@ void normalise(Hermitian& h) {
   for (Matrix* part : {&h.re, &h.im}) *part /= size;
 }
 
-// Leading eigenvectors of a combination: high frequencies have small eigenvalues, which rounding of the large ones
-// drowns. Those of one eigenvalue are determined as a set, a cluster.
+// What rounding mixes of a neighbour into an eigenvector of a matrix of norm 1, times a coupling of up to 1: a coupling
+// up to there is none.
+double couplings_from(Index n, double gap) { return 32 * rounding_unit(n) * (1 + 1 / gap); }
+
+// Leading eigenvectors of a combination. High frequencies have small eigenvalues, near to each other: where rounding
+// would hide their couplings they are left out. Those of one eigenvalue are determined as a set, a cluster.
 struct Element {
   ComplexMatrix vectors;       // n × p
   std::vector<Index> cluster;  // of each, ascending
@@ -88,7 +92,7 @@ struct Element {
 };
 
 Element decomposed(const std::vector<Hermitian>& generators, double ratio) {
-  constexpr double leading = 1e-7, same = 1e-10;
+  constexpr double same = 1e-10, decided = 1e-3;
   const Index n = generators.front().re.rows();
   Matrix re = Matrix::Zero(n, n), im;
   double weight = 1;
@@ -105,18 +109,27 @@ Element decomposed(const std::vector<Hermitian>& generators, double ratio) {
     e = lapack::hermitian_eigen(re.cast<Complex>() + j * im.cast<Complex>());
   }
   e.values /= e.values.cwiseAbs().maxCoeff();
+  // Positions of the first eigenvector of every cluster, and its gap.
+  std::vector<Index> first;
+  std::vector<double> gap;
+  for (Index k = 0; k < n; ++k) {
+    const double step = k == 0 ? 1 : e.values(k) - e.values(k - 1);
+    if (step <= same) continue;
+    if (!gap.empty()) gap.back() = std::min(gap.back(), step);
+    first.push_back(k);
+    gap.push_back(step);
+  }
   Element all;
   std::vector<Index> kept;
-  for (Index k = 0; k < n; ++k) {
-    if (!(std::abs(e.values(k)) > leading)) continue;
-    const double step = kept.empty() ? 1 : e.values(k) - e.values(kept.back());
-    if (step > same) {
-      if (!all.gap.empty()) all.gap.back() = std::min(all.gap.back(), step);
-      all.gap.push_back(step);
+  for (std::size_t c = 0; c < first.size(); ++c) {
+    if (!(couplings_from(n, gap[c]) < decided * std::abs(e.values(first[c])))) continue;
+    for (Index k = first[c]; k < (c + 1 < first.size() ? first[c + 1] : n); ++k) {
+      kept.push_back(k);
+      all.cluster.push_back(static_cast<Index>(all.gap.size()));
     }
-    kept.push_back(k);
-    all.cluster.push_back(static_cast<Index>(all.gap.size()) - 1);
+    all.gap.push_back(gap[c]);
   }
+  if (kept.empty()) return {std::move(e.vectors), std::vector<Index>(static_cast<std::size_t>(n), 0), {1.0}};  // one block
   all.vectors = e.vectors(Eigen::all, kept);
   return all;
 }
@@ -138,11 +151,10 @@ Element generic_element(const std::vector<Hermitian>& generators) {
   return best;
 }
 
-// For every eigenvector the set that it belongs to, by the couplings of the generators: what rounding mixes of a
-// neighbour into an eigenvector, times a coupling of up to 1, is none.
+// For every eigenvector the set that it belongs to, by the couplings of the generators.
 std::vector<Index> coupled(const Element& e, const std::vector<Hermitian>& generators) {
   Sets sets(static_cast<Index>(e.gap.size()));
-  const double rounding = 32 * rounding_unit(e.vectors.rows());
+  const Index n = e.vectors.rows();
   for (const Hermitian& g : generators) {
     ComplexMatrix c = e.vectors.adjoint() * (g.re * e.vectors);
     if (g.im.size() > 0) c += j * (e.vectors.adjoint() * (g.im * e.vectors));
@@ -150,7 +162,7 @@ std::vector<Index> coupled(const Element& e, const std::vector<Hermitian>& gener
       const auto to = static_cast<std::size_t>(e.cluster[static_cast<std::size_t>(col)]);
       for (Index row = 0; row < col; ++row) {
         const auto from = static_cast<std::size_t>(e.cluster[static_cast<std::size_t>(row)]);
-        if (from != to && std::abs(c(row, col)) > rounding * (1 + 1 / e.gap[from] + 1 / e.gap[to]))
+        if (from != to && std::abs(c(row, col)) > couplings_from(n, e.gap[from]) + couplings_from(n, e.gap[to]))
           sets.join(static_cast<Index>(from), static_cast<Index>(to));
       }
     }

@@ -174,7 +174,7 @@ SpeedPencil::Root SpeedPencil::polished(const Root& root) const {
     return bottom != 0 ? top / bottom : nu;
   };
   nu = quotient();
-  for (int step = 0; step < 2; ++step) {
+  for (int step = 0; step < 2 && !(residual({nu, in_family(x)}) <= rounding_unit(x.size())); ++step) {
     ComplexVector b = re_ * x;
     if (!real_) b += j * (im_ * x);
     ComplexVector next;

@@ -1,10 +1,13 @@
 #include "gyromode/sweep/spin_sampler.h"
 
+#include "gyromode/base/parallel.h"
 #include "gyromode/base/rounding.h"
 #include "gyromode/lapack/small.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 namespace gyromode {
 
@@ -66,6 +69,18 @@ void mark_degenerate(std::vector<SampledMode>& modes) {
   }
 }
 
+ModesOptions options_for(const SampledModes& wanted) {
+  ModesOptions o;
+  o.window.b = wanted.below;
+  o.lowest = wanted.lowest;
+  o.shapes = true;
+  return o;
+}
+
+double highest_of(const ModesResult& result) {
+  return result.modes.empty() || result.modes.back().omega == 0 ? 1 : result.modes.back().omega;
+}
+
 ComplexVector largest_one(const ComplexVector& x) {
   Index at = 0;
   const double size = x.cwiseAbs().maxCoeff(&at);
@@ -74,16 +89,53 @@ ComplexVector largest_one(const ComplexVector& x) {
 
 }  // namespace
 
-SpinSampler::SpinSampler(SpinSource source, SampledModes wanted, double at) : source_(std::move(source)), wanted_(wanted) {
+SpinSampler::SpinSampler(SpinSource source, SampledModes wanted, double first, double last) : source_(std::move(source)), wanted_(wanted) {
+  constexpr Index large = 48;
   if (!source_.family) return;
-  double reach = wanted_.below;
-  if (!std::isfinite(reach)) {
-    ModesOptions o;
-    o.lowest = wanted_.lowest;
-    const ModesResult first = source_.modes(at, o);
-    reach = first.modes.empty() ? 1 : first.modes.back().omega;
+  const bool bounded = wanted_.lowest || std::isfinite(wanted_.below);
+  if (source_.family->mass.rows() >= large && bounded) {
+    reduce(first, last);
+    return;
   }
+  double reach = wanted_.below;
+  if (!std::isfinite(reach)) reach = highest_of(source_.modes(0.5 * (first + last), options_for(wanted_)));
   blocks_.emplace(*source_.family, reach);
+}
+
+// Spins are solved until the space of their shapes serves half way between every two of them.
+void SpinSampler::reduce(double first, double last) {
+  constexpr int first_spins = 3, most_spins = 17;
+  constexpr Index more_modes = 4;
+  constexpr double farther = 1.2, worth_it = 0.6;  // orders of the reduced matrices over that of the family
+  const SampledModes around{farther * wanted_.below, wanted_.lowest ? std::optional(*wanted_.lowest + more_modes) : std::nullopt};
+  std::vector<double> spins;
+  for (int k = 0; k < first_spins; ++k) spins.push_back(first + (last - first) * k / (first_spins - 1));
+  std::map<double, SpinSample> samples;
+  while (true) {
+    std::vector<double> missing;
+    std::copy_if(spins.begin(), spins.end(), std::back_inserter(missing), [&](double s) { return !samples.contains(s); });
+    std::vector<ModesResult> found(missing.size());
+    for_each_in_parallel(static_cast<Index>(missing.size()), [&](Index k) {
+      found[static_cast<std::size_t>(k)] = source_.modes(missing[static_cast<std::size_t>(k)], options_for(around));
+    });
+    if (!blocks_) blocks_.emplace(*source_.family, highest_of(found[found.size() / 2]));
+    for (std::size_t k = 0; k < missing.size(); ++k) samples.insert_or_assign(missing[k], sample_of(missing[k], found[k]));
+    std::vector<SpinSample> all;
+    for (const auto& [spin, sample] : samples) all.push_back(sample);
+    reduced_ = ReducedFamily::from(source_.family, *blocks_, all, source_.places);
+    if (!reduced_ || static_cast<double>(reduced_->order()) > worth_it * static_cast<double>(source_.family->mass.rows())) {
+      reduced_.reset();
+      return;
+    }
+    if (static_cast<int>(spins.size()) >= most_spins) return;
+    std::vector<double> more;
+    for (auto s = samples.begin(); std::next(s) != samples.end(); ++s) {
+      const double middle = 0.5 * (s->first + std::next(s)->first);
+      if (!reduced_->at(middle, wanted_.below, wanted_.lowest)) more.push_back(middle);
+    }
+    if (more.empty()) return;
+    spins.insert(spins.end(), more.begin(), more.end());
+  }
 }
 
 ComplexMatrix SpinSampler::impedance_slope(double omega, double spin) const {
@@ -159,11 +211,16 @@ void SpinSampler::separate(double spin, const std::vector<const Mode*>& cluster,
 }
 
 SpinSample SpinSampler::at(double spin) const {
-  ModesOptions o;
-  o.window.b = wanted_.below;
-  o.lowest = wanted_.lowest;
-  o.shapes = true;
-  const ModesResult result = source_.modes(spin, o);
+  if (reduced_) {
+    if (auto sample = reduced_->at(spin, wanted_.below, wanted_.lowest)) {
+      if (spin == 0) mark_degenerate(sample->modes);
+      return std::move(*sample);
+    }
+  }
+  return sample_of(spin, source_.modes(spin, options_for(wanted_)));
+}
+
+SpinSample SpinSampler::sample_of(double spin, const ModesResult& result) const {
   SpinSample sample;
   sample.spin = spin;
   sample.coverage = result.coverage;
