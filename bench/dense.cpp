@@ -23,8 +23,9 @@ struct Group {
 };
 
 const std::vector<Group> groups = {
-    {"a", quadrature_rows}, {"b", general_rows}, {"c", indefinite_rows}, {"d", certificate_rows}, {"e", process_rows},
-    {"f", spacecraft_rows}, {"g", hidden_rows},  {"h", certified_rows},  {"i", growth_rows},      {"j", sweep_rows},
+    {"a", quadrature_rows}, {"b", general_rows},    {"c", indefinite_rows}, {"d", certificate_rows},
+    {"e", process_rows},    {"f", spacecraft_rows}, {"g", hidden_rows},     {"h", certified_rows},
+    {"i", growth_rows},     {"j", sweep_rows},      {"k", campbell_rows},
 };
 
 void print(const std::string& text) {
@@ -71,7 +72,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--only", only, "rows to run: a, b, c, d, e, f, g, h, i, j, accuracy")
       ->delimiter(',')
-      ->check(CLI::IsMember({"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "accuracy"}));
+      ->check(CLI::IsMember({"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "accuracy"}));
   app.add_option("--json", json_file, "write everything to this file");
   app.add_option("--program", report.options.program, "the program of row e")->capture_default_str();
   app.add_option("--model", report.options.model, "the model of row e")->capture_default_str();

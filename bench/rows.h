@@ -13,7 +13,7 @@ namespace gyromode::bench {
 
 /// One interleaved run. Ratios are those of the first contestant, ours, to each of the others.
 struct Row {
-  std::string key;     ///< "a" … "i"
+  std::string key;     ///< "a" … "k"
   std::string title;   ///< the system and its order
   std::string solver;  ///< what gyromode says of the solver it took
   double others = 0;   ///< share of the processors that other processes used meanwhile: what to distrust a row for
@@ -42,5 +42,6 @@ std::vector<Row> hidden_rows(const RowOptions& options);       ///< g
 std::vector<Row> certified_rows(const RowOptions& options);    ///< h
 std::vector<Row> growth_rows(const RowOptions& options);       ///< i
 std::vector<Row> sweep_rows(const RowOptions& options);        ///< j
+std::vector<Row> campbell_rows(const RowOptions& options);     ///< k
 
 }  // namespace gyromode::bench

@@ -1,5 +1,5 @@
-// Campbell diagrams of rotors: every spin against its own solution, intersections against bisection on the branches, and
-// the events of what has a closed form.
+// Campbell diagrams of rotors: every spin against its own solution, intersections against bisection on the branches,
+// and the events of what has a closed form.
 #include "gyromode/base/error.h"
 #include "gyromode/models/model.h"
 #include "gyromode/models/rotor_model.h"
@@ -143,14 +143,15 @@ TEST(CampbellRotors, UnequalBearingsTurnACrossingIntoAVeering) {
   }
 }
 
-// Two unlike discs on a shaft, turning axes: branches of opposite energy sign meet and part; the interval is that of the
-// stability map.
+// Two unlike discs on a shaft, turning axes: branches of opposite energy sign meet and part; the interval is that of
+// the stability map.
 TEST(CampbellRotors, CollisionsHaveTheIntervalOfTheStabilityMap) {
   const Model model = read_model(source_dir / "models" / "turned_rotor.toml");
   CampbellOptions o;
   o.spins = evenly(0, 1200, 7);
   const Campbell c = model.campbell(o);
-  const auto collision = std::find_if(c.encounters.begin(), c.encounters.end(), [](const Encounter& e) { return e.kind == EncounterKind::collision; });
+  const auto collision =
+      std::find_if(c.encounters.begin(), c.encounters.end(), [](const Encounter& e) { return e.kind == EncounterKind::collision; });
   ASSERT_NE(collision, c.encounters.end());
   ASSERT_TRUE(collision->flutter);
   const auto& [from, to] = *collision->flutter;

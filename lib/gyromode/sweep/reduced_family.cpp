@@ -52,9 +52,7 @@ bool ReducedFamily::take(const SpinFamily& f) {
   for (const Index i : structure.in_quadrature()) quadrature_[static_cast<std::size_t>(i)] = true;
   stiffness_ = 0.5 * (f.stiffness + f.stiffness.transpose());
   mass_ = 0.5 * (f.mass + f.mass.transpose());
-  const auto part = [&](const Matrix& g) {
-    return g.size() > 0 ? cross(0.5 * (g - g.transpose()), quadrature_) : Matrix::Zero(n, n);
-  };
+  const auto part = [&](const Matrix& g) { return g.size() > 0 ? cross(0.5 * (g - g.transpose()), quadrature_) : Matrix::Zero(n, n); };
   constant_ = part(f.gyroscopic);
   per_spin_ = part(f.gyroscopic_per_spin);
   factor_ = lapack::Cholesky(stiffness_);
@@ -144,8 +142,8 @@ Matrix ReducedFamily::impedance(double omega, double spin) const {
   return stiffness_ + omega * (constant_ + spin * per_spin_) - omega * omega * mass_;
 }
 
-// With VᵀKV = 1: the residual in the norm of K⁻¹, and the slope of the root. The Rayleigh quotient of Vy is 0, so that an
-// eigenvalue of H(ω) is within ρ of 0, and within ρ²/g where the others of the block are farther than g (Kato and
+// With VᵀKV = 1: the residual in the norm of K⁻¹, and the slope of the root. The Rayleigh quotient of Vy is 0, so that
+// an eigenvalue of H(ω) is within ρ of 0, and within ρ²/g where the others of the block are farther than g (Kato and
 // Temple), about the slope times the distance of their roots.
 SampledMode ReducedFamily::sampled(const Root& root, double spin, double apart) const {
   const Block& b = *root.block;

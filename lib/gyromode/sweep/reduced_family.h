@@ -15,8 +15,8 @@ namespace gyromode {
 /// of positive energy; H is real symmetric in the axes T = diag(1, −j), and its count at the end of the window is that
 /// of the modes.
 ///
-/// In each block a basis V of the shapes found gives VᵀH(ω; Ω)V, whose roots are those of the family up to the square of
-/// the residuals ‖H(ω)Vy‖, which are measured.
+/// In each block a basis V of the shapes found gives VᵀH(ω; Ω)V, whose roots are those of the family up to the square
+/// of the residuals ‖H(ω)Vy‖, which are measured.
 class ReducedFamily {
  public:
   /// Nothing where the family is not of that kind. `solved`: samples with shapes, all stable.
@@ -32,9 +32,9 @@ class ReducedFamily {
   // VᵀAV and AV of each matrix of one block, H = K + ω(B₀ + ΩB₁) − ω²M, in coordinates where VᵀKV = 1.
   struct Block {
     Index number = 0;
-    Matrix basis;                      // n × r
-    Matrix mass, constant, per_spin;   // r × r: M, B₀, B₁
-    Matrix mass_root;                  // c with ccᵀ = VᵀMV
+    Matrix basis;                                 // n × r
+    Matrix mass, constant, per_spin;              // r × r: M, B₀, B₁
+    Matrix mass_root;                             // c with ccᵀ = VᵀMV
     Matrix k_basis, m_basis, b0_basis, b1_basis;  // n × r
   };
   struct Root {
@@ -56,7 +56,7 @@ class ReducedFamily {
   lapack::Cholesky factor_{Matrix()};              // of K
   std::vector<Block> blocks_;
   std::vector<OrbitCoordinates> places_;
-  SpinSample usual_;           // verdict and balance, the same at every spin
+  SpinSample usual_;                                 // verdict and balance, the same at every spin
   std::vector<std::pair<double, double>> rounding_;  // of every root at the spins solved: ω, and its error relative to ω
 };
 

@@ -120,25 +120,32 @@ void SpinTrack::resume(const Point& from, Point& to) {
   }
 }
 
-void SpinTrack::store(const Point& from, const Joined& joined, SpinSample sample) {
-  Point p{std::move(sample), {}, {}};
-  for (std::size_t k = 0; k < p.sample.modes.size(); ++k)
-    p.branch.push_back(joined.from[k] < 0 ? -1 : from.branch[static_cast<std::size_t>(joined.from[k])]);
-  resume(from, p);
+// The branch of every mode of `sample` that continues one of `from`; −1 of the others.
+std::vector<Index> SpinTrack::continued(const Point& from, const SpinSample& sample) {
+  std::vector<Index> all;
+  for (const Index k : join(from.sample, sample).from) all.push_back(k < 0 ? -1 : from.branch[static_cast<std::size_t>(k)]);
+  return all;
+}
+
+// Modes without a branch begin one.
+const SpinTrack::Point& SpinTrack::keep(Point p) {
   for (Index& b : p.branch) {
     if (b < 0) b = branches_++;
   }
   p.place.assign(static_cast<std::size_t>(branches_), -1);
   for (std::size_t k = 0; k < p.branch.size(); ++k) p.place[static_cast<std::size_t>(p.branch[k])] = static_cast<Index>(k);
   const double spin = p.sample.spin;
-  points_.insert_or_assign(spin, std::move(p));
+  return points_.insert_or_assign(spin, std::move(p)).first->second;
 }
 
 void SpinTrack::extend(const Point& from, SpinSample sample, int halvings) {
   const Joined joined = join(from.sample, sample);
   const double middle = 0.5 * (from.sample.spin + sample.spin);
   if (joined.sure || halvings == 0 || middle == from.sample.spin || middle == sample.spin) {
-    store(from, joined, std::move(sample));
+    Point p{std::move(sample), {}, {}};
+    p.branch = continued(from, p.sample);
+    resume(from, p);
+    keep(std::move(p));
     return;
   }
   extend(from, sampler_.at(middle), halvings - 1);
@@ -160,12 +167,10 @@ SpinTrack::SpinTrack(const SpinSampler& sampler, const std::vector<double>& spin
   for (std::optional<SpinSample>& s : samples) {
     if (!s) break;
     const double spin = s->spin;
-    if (!last) {
-      const Joined none{std::vector<Index>(s->modes.size(), -1), true};
-      store(Point{}, none, std::move(*s));
-    } else {
+    if (!last)
+      keep({*s, std::vector<Index>(s->modes.size(), -1), {}});
+    else
       extend(*last, std::move(*s), most_halvings);
-    }
     last = &points_.at(spin);
   }
   if (!last) throw Interrupted();
@@ -237,17 +242,22 @@ void SpinTrack::refine(double below, double above, int halvings) {
   refine(middle, above, halvings - 1);
 }
 
-// A point between two others continues the one below where nothing came or went, else the one above.
+// A point between two others continues the one below where nothing came or went, else the one above; what it does not
+// find there (it has come into the window) the other.
 const SpinTrack::Point& SpinTrack::at(double spin) {
-  const auto above = points_.lower_bound(spin);
-  if (above->first == spin) return above->second;
-  const Point& below = std::prev(above)->second;
+  const auto next = points_.lower_bound(spin);
+  if (next->first == spin) return next->second;
+  const Point &above = next->second, &below = std::prev(next)->second;
   SpinSample sample = sampler_.at(spin);
-  const bool like_below = same_balance(below.sample, sample);
-  const Point& like = like_below || !same_balance(sample, above->second.sample) ? below : above->second;
-  const Joined joined = join(like.sample, sample);
-  store(like, joined, std::move(sample));
-  return points_.at(spin);
+  const bool like_below = same_balance(below.sample, sample) || !same_balance(sample, above.sample);
+  const Point &like = like_below ? below : above, &unlike = like_below ? above : below;
+  Point p{std::move(sample), {}, {}};
+  p.branch = continued(like, p.sample);
+  const std::vector<Index> otherwise = continued(unlike, p.sample);
+  for (std::size_t k = 0; k < p.branch.size(); ++k) {
+    if (p.branch[k] < 0 && std::find(p.branch.begin(), p.branch.end(), otherwise[k]) == p.branch.end()) p.branch[k] = otherwise[k];
+  }
+  return keep(std::move(p));
 }
 
 }  // namespace gyromode

@@ -42,7 +42,8 @@ class SpinTrack {
   };
   static Joined join(const SpinSample& a, const SpinSample& b);
   void extend(const Point& from, SpinSample sample, int halvings);
-  void store(const Point& from, const Joined& joined, SpinSample sample);
+  static std::vector<Index> continued(const Point& from, const SpinSample& sample);
+  const Point& keep(Point point);
   void resume(const Point& from, Point& to);
   void refine(double below, double above, int halvings);
 
