@@ -49,7 +49,7 @@ ExitCode run(const Options& o) {
     options.progress = progress;
     return m.campbell(options);
   });
-  o.output.write(document(job.model(), result, job.timings(), o.output.chosen()));
+  o.output.write(document(job.model(), result, job.timings(), o.output.layout()));
   if (result.interrupted) return job.interrupted();
   if (result.is_complete()) return ExitCode::done;
   o.output.say("not certified complete at every spin");

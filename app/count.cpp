@@ -19,7 +19,7 @@ ExitCode run(const Options& o) {
   Job job(o.source, o.output);
   const Window window = o.window.read();
   const CountResult result = job.answer([&](const Model& m) { return m.count(window); });
-  o.output.write(document(job.model(), result, job.timings(), o.output.chosen()));
+  o.output.write(document(job.model(), result, job.timings(), o.output.layout()));
   if (result.status == CountStatus::exact) return ExitCode::done;
   o.output.say(result.status == CountStatus::signed_only
                    ? "only the signed count is known: the index balance of this indefinite K does not close"

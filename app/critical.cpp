@@ -26,7 +26,7 @@ ExitCode run_over(const Options& o, const CriticalOptions& options, Job& job) {
   const ParameterAxis axis = axis_of(job.model(), taken_apart("--over", o.over, "bearing[*].kxx=1e5:1e8:31"), Spacing::logarithmic);
   const CriticalMap map =
       job.answer([&](const Model& m, const Progress& progress) { return m.critical_speeds_over(axis, options, progress); });
-  o.output.write(document(job.model(), map, job.timings(), o.output.chosen()));
+  o.output.write(document(job.model(), map, job.timings(), o.output.layout()));
   if (map.interrupted) return job.interrupted();
   if (!map.has_a_model()) throw LawBroken(fmt::format("--over: no value makes a model; at the first {}", map.rows.front().reason));
   if (map.is_complete()) return ExitCode::done;
@@ -45,7 +45,7 @@ ExitCode run(const Options& o) {
   Job job(o.source, o.output);
   if (!o.over.empty()) return run_over(o, options, job);
   const CriticalSpeeds result = job.answer([&](const Model& m) { return m.critical_speeds(options); });
-  o.output.write(document(job.model(), result, job.timings(), o.output.chosen()));
+  o.output.write(document(job.model(), result, job.timings(), o.output.layout()));
   if (result.coverage.status == CoverageStatus::complete) return ExitCode::done;
   o.output.say(fmt::format("not certified complete: {}", result.coverage.reason));
   return ExitCode::not_certified;

@@ -59,7 +59,7 @@ ExitCode run(const Options& given) {
     options.progress = progress;
     return m.modes(options);
   });
-  o.output.write(document(job.model(), result, job.timings(), format, o.schema));
+  o.output.write(document(job.model(), result, job.timings(), o.output.layout(), o.schema));
   if (o.output.verbose) {
     for (const std::string& line : evidence(result)) o.output.say(line);
   }

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -23,6 +24,13 @@ void OutputOption::add_to(CLI::App& verb) {
       ->check(CLI::IsMember({"table", "json", "csv", "markdown", "svg"}));
   verb.add_option("-o,--output", file, "Write the result to FILE (.json, .csv, .md, .svg by extension) instead of stdout")
       ->type_name("FILE");
+  verb.add_option(
+          "--units", units,
+          "Frequencies and spins in tables, CSV and pictures in this unit; default: that of --below, --window, --spin …, else rad/s. "
+          "JSON stays in rad/s")
+      ->type_name("U")
+      ->check(CLI::IsMember({"rad/s", "Hz", "rpm"}));
+  verb_ = &verb;
   auto* silent = verb.add_flag("--quiet", quiet, "No remarks on stderr; errors remain");
   verb.add_flag("--verbose", verbose, "On stderr how long each stage took, and the numbers that the verdict rests on")->excludes(silent);
 }
@@ -33,6 +41,42 @@ Format OutputOption::chosen(Format otherwise) const {
   if (!format.empty()) return *format_named(format);
   if (file.empty()) return otherwise;
   return format_for(file);
+}
+
+namespace {
+
+// The unit that a value of an option has its frequencies in: "0:12000rpm:25".
+std::optional<FrequencyUnit> unit_in(const std::string& value) {
+  std::size_t first = 0;
+  while (first <= value.size()) {
+    const std::size_t past = std::min(value.find_first_of(":=", first), value.size());
+    if (const auto unit = frequency_unit_of(value.substr(first, past - first))) return unit;
+    first = past + 1;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Layout OutputOption::layout(Format otherwise) const {
+  Layout l(chosen(otherwise));
+  std::optional<FrequencyUnit> of_spins, of_frequencies;
+  for (const CLI::Option* option : verb_->get_options()) {
+    if (option->count() == 0 || option->get_lnames().empty()) continue;
+    const std::string& name = option->get_lnames().front();
+    if (name == "format" || name == "output" || name == "quiet" || name == "verbose" || name == "units") continue;
+    std::string all;
+    for (const std::string& value : option->results()) all += (all.empty() ? "" : ",") + value;
+    l.options.emplace_back(name, all);
+    std::optional<FrequencyUnit>& unit = name == "spin" ? of_spins : of_frequencies;
+    for (const std::string& value : option->results()) {
+      if (!unit) unit = unit_in(value);
+    }
+  }
+  if (const auto asked = frequency_unit_named(units)) of_spins = of_frequencies = asked;
+  l.unit = of_frequencies ? *of_frequencies : of_spins.value_or(FrequencyUnit::radians);
+  l.spin_unit = of_spins ? *of_spins : l.unit;
+  return l;
 }
 
 void OutputOption::require_place(const std::vector<std::string>& inputs) const {

@@ -54,13 +54,13 @@ ExitCode run(const Options& o) {
   Job job(o.source, o.output);
   if (sweep) {
     const FrequencyReport report = job.answer([&](const Model& m, const Progress& p) { return swept(m, o, p); });
-    o.output.write(document(job.model(), report, job.timings(), o.output.chosen(Format::csv)));
+    o.output.write(document(job.model(), report, job.timings(), o.output.layout(Format::csv)));
     for (const std::string& remark : report.remarks()) o.output.say(remark);
     if (report.response.interrupted) return job.interrupted();
     return ExitCode::done;
   }
   const ResponseReport report = job.answer([&](const Model& m, const Progress& p) { return moved(m, o, p); });
-  o.output.write(document(job.model(), report, job.timings(), o.output.chosen(Format::csv)));
+  o.output.write(document(job.model(), report, job.timings(), o.output.layout(Format::csv)));
   if (!report.remark.empty()) o.output.say(report.remark);
   if (report.history.interrupted) return job.interrupted();
   for (const std::string& doubt : report.doubts()) o.output.say("not certified: " + doubt);

@@ -52,7 +52,7 @@ ExitCode run(const Options& o) {
   const std::vector<AxisText> axes = axes_of(o.vary);
   Job job(o.source, o.output);
   const StabilityReport report = job.answer([&](const Model& m, const Progress& p) { return asked(m, axes, p); });
-  o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
+  o.output.write(document(job.model(), report, job.timings(), o.output.layout()));
   if (o.output.verbose) {
     for (const std::string& line : evidence(report.result)) o.output.say(line);
   }

@@ -19,7 +19,7 @@ ExitCode run(const Options& o) {
   Job job(o.source, o.output);
   const auto at = o.at.empty() ? std::nullopt : std::optional(frequency_option("--at", o.at));
   const StructureReport report = job.answer([&](const Model& m) { return m.structure(at); });
-  o.output.write(document(job.model(), report, job.timings(), o.output.chosen()));
+  o.output.write(document(job.model(), report, job.timings(), o.output.layout()));
   return ExitCode::done;
 }
 

@@ -1,5 +1,5 @@
-// Row k: Campbell diagram of a rotor of 60 stations, 200 spins, 12 modes, every spin certified, beside the same sweep by
-// dgeev of the companion form, without branches or certificates, as scipy.linalg.eig does it.
+// Row k: Campbell diagram of a rotor of 60 stations, 200 spins, 12 modes, every spin certified, beside the same sweep
+// by dgeev of the companion form, without branches or certificates, as scipy.linalg.eig does it.
 #include "machine.h"
 #include "rivals.h"
 #include "rows.h"
@@ -64,7 +64,10 @@ std::vector<Row> campbell_rows(const RowOptions& options) {
                              }
                            }};
     const Others others;
-    Row row{"k", fmt::format("Campbell diagram, {}, {} coordinates, {} spins, 12 modes", words, model.size(), spins), {}, 0,
+    Row row{"k",
+            fmt::format("Campbell diagram, {}, {} coordinates, {} spins, 12 modes", words, model.size(), spins),
+            {},
+            0,
             interleaved({ours, rival}, std::min(options.rounds, most_rounds))};
     row.solver = fmt::format("{}complete at every spin", last.is_complete() ? "" : "not ");
     row.others = others.share();

@@ -117,6 +117,17 @@ said(1, "such as bearing[*].kxx=1e5:1e8:31", "critical", "m.toml", "--over", "be
 said(0, " 825.1338   829.8745", "critical", "m.toml", "--over", "bearing[*].kxx,bearing[*].kyy=1e5:1e7:3", "--below", "2000rpm", model=ROTOR)
 said(3, "--over: no value makes a model; at the first", "critical", "m.toml", "--over", "shaft[0].inner_diameter=1:2:3", model=ROTOR)
 said(0, "bearing 1: kxx = 1e-07 is lost by rounding beside the shaft's stiffness", "critical", "m.toml", "--lowest", "4", model=ROTOR.replace("kxx = 1e6", "kxx = 1e-7"))
+# Campbell diagrams
+said(1, "--spin is required", "campbell", "m.toml", model=ROTOR)
+said(1, "--spin 0:5: A:B:N was expected", "campbell", "m.toml", "--spin", "0:5", model=ROTOR)
+said(1, "a number of points from 2 to 1000000 was expected", "campbell", "m.toml", "--spin", "0:5:0", model=ROTOR)
+said(1, "two different frequencies", "campbell", "m.toml", "--spin", "5:5:3", model=ROTOR)
+said(0, "0 … 100 rpm, 3", "campbell", "m.toml", "--spin", "100rpm:0rpm:3", model=ROTOR)
+said(1, "multiples of the speed were expected, such as 1 or 0.5,1,2", "campbell", "m.toml", "--spin", "0:100:3", "--order", "1,x", model=ROTOR)
+said(3, "a sweep over the spin needs a rotor, a spacecraft, or matrices with 'spin'", "campbell", "m.toml", "--spin", "0:100:3")
+said(0, "f [Hz] at 0 Hz", "campbell", "m.toml", "--spin", "0:9000rpm:4", "--units", "Hz", model=ROTOR)
+said(1, "--units", "campbell", "m.toml", "--spin", "0:100:3", "--units", "rps", model=ROTOR)
+said(0, "[0, 50) Hz", "modes", "m.toml", "--below", "50Hz", model=ROTOR)
 # The file at fault, of three
 WIRES = [str(models / "wiresaw" / f"{m}.mtx") for m in "MGK"]
 said(3, "M.mtx: G must satisfy G = −Gᵀ: the diagonal entry (1,1) = 0.5 must be 0, it is 1e+02 % of the largest entry; G is the same matrix as M: was", "modes", "--mass", WIRES[0], "--gyroscopic", WIRES[0], "--stiffness", WIRES[2])

@@ -158,7 +158,7 @@ class Response(WithFolder):
             self.assertEqual(cut["model"]["couplings_left_out"], {"up_to": 0.01, "largest": 0.00025})
             self.assertNotIn("couplings_left_out", whole["model"])
             for d in (cut, plain):
-                for head in ("model", "timings", "checks"):
+                for head in ("model", "timings", "checks", "options"):
                     d.pop(head, None)
                 d.get("structure", {}).pop("largest_ignored_coupling", None)
             self.assertEqual(cut, plain, ask)

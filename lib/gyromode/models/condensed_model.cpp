@@ -108,6 +108,8 @@ CriticalSpeeds CondensedModel::critical_speeds(const CriticalOptions& options) c
   return gyromode::critical_speeds(*matrices_.family, options);
 }
 
+std::vector<Parameter> CondensedModel::named_parameters() const { return matrices_.named(); }
+
 SpinSource CondensedModel::spin_source() const {
   return matrices_.family && matrices_.spin ? spin_source_of(matrices_.family) : ModelKind::spin_source();
 }

@@ -25,6 +25,7 @@ class CondensedModel : public ModelKind {
   void require_motion() const override {}
   ResponseReport response(const MotionRequest& request) const override;
   std::vector<Parameter> parameters() const override { return matrices_.parameters(); }
+  std::vector<Parameter> named_parameters() const override;
   std::optional<Parameter> parameter(std::string_view key) const override { return matrices_.parameter(key); }
   std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
   /// Of the condensed system, in the coordinates that have mass.

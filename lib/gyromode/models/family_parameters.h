@@ -20,6 +20,8 @@ struct FamilyAtSpin {
   std::optional<double> spin;  ///< nothing: G₁ and K₂ are empty
 
   std::vector<Parameter> parameters() const;
+  /// The spin, where there is one.
+  std::vector<Parameter> named() const;
   std::optional<Parameter> parameter(std::string_view key) const;
   /// @throws InvalidArgument for a key that names none, or values that contradict each other
   FamilyAtSpin with(const std::vector<ParameterValue>& values) const;

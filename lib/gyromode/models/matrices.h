@@ -40,6 +40,7 @@ class MatricesModel : public ModelKind {
   FrequencyReport frequency_response(const FrequencyRequest& request) const override;
   std::vector<std::string> doubts(bool fixed_axes) const override;
   std::vector<Parameter> parameters() const override;
+  std::vector<Parameter> named_parameters() const override;
   std::optional<Parameter> parameter(std::string_view key) const override;
   std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
   const System* second_order() const override { return &system_; }
@@ -68,6 +69,7 @@ class FirstOrderModel : public ModelKind {
   CountResult count(const Window& window) const override;
   StructureReport structure(std::optional<double> at) const override;
   std::vector<Parameter> parameters() const override;
+  std::vector<Parameter> named_parameters() const override;
   std::optional<Parameter> parameter(std::string_view key) const override;
   std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
   std::vector<NamedMatrix> matrices() const override;

@@ -47,6 +47,10 @@ std::vector<Parameter> FamilyAtSpin::parameters() const {
   return all;
 }
 
+std::vector<Parameter> FamilyAtSpin::named() const {
+  return spin ? std::vector<Parameter>{{"spin", Dimension::frequency, *spin}} : std::vector<Parameter>{};
+}
+
 std::optional<Parameter> FamilyAtSpin::parameter(std::string_view key) const {
   if (key == "spin") return spin ? std::optional(Parameter{"spin", Dimension::frequency, *spin}) : std::nullopt;
   SpinFamily f = *family;
@@ -90,6 +94,12 @@ FamilyAtSpin MatricesModel::matrices_at_spin() const {
 std::vector<Parameter> MatricesModel::parameters() const {
   return left_out_.whole ? left_out_.whole->parameters() : matrices_at_spin().parameters();
 }
+
+std::vector<Parameter> MatricesModel::named_parameters() const {
+  return left_out_.whole ? left_out_.whole->named_parameters() : matrices_.named();
+}
+
+std::vector<Parameter> FirstOrderModel::named_parameters() const { return {}; }
 
 std::optional<Parameter> MatricesModel::parameter(std::string_view key) const {
   return left_out_.whole ? left_out_.whole->parameter(key) : matrices_at_spin().parameter(key);

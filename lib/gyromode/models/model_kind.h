@@ -60,6 +60,8 @@ class ModelKind {
 
   /// The numbers it is made of, those worth listing; further ones may be named.
   virtual std::vector<Parameter> parameters() const { return {}; }
+  /// Those of them that have a meaning of their own: no entries of matrices.
+  virtual std::vector<Parameter> named_parameters() const { return parameters(); }
   /// The first number that a key names ([*] for every item); nothing where it names none.
   virtual std::optional<Parameter> parameter(std::string_view key) const;
   /// The same model with other values of its parameters. Throws LawBroken where they make none; InvalidArgument where a

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace gyromode {
 
@@ -24,6 +26,19 @@ void require(const CampbellOptions& o) {
   for (const double m : o.orders) {
     if (!(m >= 0) || !std::isfinite(m)) throw InvalidArgument(fmt::format("order {}: a multiple of the speed, 0 or more, was expected", m));
   }
+}
+
+// Branches by frequency; of two that coincide the one that falls first.
+std::vector<Index> in_order(const SpinTrack::Point& p) {
+  std::vector<std::size_t> all(p.branch.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const SampledMode &a = p.sample.modes[all[k - 1]], &b = p.sample.modes[all[k]];
+    if (b.omega - a.omega <= 4 * (a.error + b.error) && a.slope && b.slope && *a.slope > *b.slope) std::swap(all[k - 1], all[k]);
+  }
+  std::vector<Index> branches;
+  for (const std::size_t k : all) branches.push_back(p.branch[k]);
+  return branches;
 }
 
 }  // namespace
@@ -51,7 +66,7 @@ Campbell campbell(const SpinSource& source, const CampbellOptions& o) {
   for (const double spin : o.spins) {
     const auto found = track.points().find(spin);
     if (found == track.points().end()) break;
-    for (const Index b : found->second.branch) {
+    for (const Index b : in_order(found->second)) {
       Index& p = place[static_cast<std::size_t>(b)];
       if (p >= 0) continue;
       p = static_cast<Index>(c.branches.size());

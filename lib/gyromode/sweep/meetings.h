@@ -19,8 +19,9 @@ enum class EncounterKind {
 };
 std::string_view to_string(EncounterKind kind);
 
+/// Two branches that come near to each other.
 struct Encounter {
-  EncounterKind kind = EncounterKind::crossing;
+  EncounterKind kind = EncounterKind::crossing;  ///< what they do
   double spin = 0;                               ///< of the crossing, the smallest gap, or the collision
   double omega = 0;                              ///< there, the mean of both
   std::array<Index, 2> branches{};               ///< the lower one below the spin first
@@ -41,9 +42,9 @@ struct Intersection {
 
 /// The intersections of one order, ascending in the spin, and how far they are known to be all.
 struct Intersections {
-  double order = 1;  ///< m
-  std::vector<Intersection> all;
-  Coverage coverage;  ///< of the spins Ω > 0 of the range; not_counted where only the signs of ω − mΩ at the spins say
+  double order = 1;               ///< m
+  std::vector<Intersection> all;  ///< ascending in the spin
+  Coverage coverage;              ///< of the spins Ω > 0 of the range; not_counted where only the signs of ω − mΩ at the spins say
 };
 
 }  // namespace gyromode

@@ -25,12 +25,12 @@ struct SampledMode {
 
 /// The modes of a model at one spin in (0, b), without rigid-body modes.
 struct SpinSample {
-  double spin = 0;                 ///< rad per unit of time
-  std::vector<SampledMode> modes;  ///< ascending
-  Coverage coverage;               ///< whether all of the window are there
-  Stability stability = Stability::unknown;
-  IndexBalance balance;                ///< branches begin and end within the window only where it changes
-  std::vector<UnstableMode> unstable;  ///< all
+  double spin = 0;                           ///< rad per unit of time
+  std::vector<SampledMode> modes;            ///< ascending
+  Coverage coverage;                         ///< whether all of the window are there
+  Stability stability = Stability::unknown;  ///< the verdict
+  IndexBalance balance;                      ///< branches begin and end within the window only where it changes
+  std::vector<UnstableMode> unstable;        ///< all
 };
 
 /// What a model says of itself to a sweep over its spin.

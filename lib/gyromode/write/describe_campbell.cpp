@@ -4,13 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 namespace gyromode::io {
 
 namespace {
-
-constexpr double rpm = 30 / std::numbers::pi;
 
 template <class Item>
 Json whirl_json(const Item& m) {
@@ -42,24 +39,30 @@ std::string whirl_words(const Campbell& c, const CampbellBranch& b) {
   return first.empty() ? "–" : first == last ? first : first + " … " + last;
 }
 
+bool has_negative_energy(const CampbellBranch& b) {
+  return std::any_of(b.modes.begin(), b.modes.end(), [](const auto& m) { return m && m->energy_sign < 0; });
+}
+
 void describe_branches(const Campbell& c, Writer& w) {
-  const double first = c.spins.front() * rpm, last = c.spins.back() * rpm;
-  const auto words = [](const std::optional<SampledMode>& m) { return m ? determined(m->omega, m->error, 8) : std::string(); };
+  const auto at = [&](double spin) { return fmt::format("at {:.6g} {}", w.spin(spin), w.spin_unit()); };
+  const auto words = [&](const std::optional<SampledMode>& m) {
+    return m ? determined(w.frequency(m->omega), w.frequency(m->error), 8) : std::string();
+  };
+  const bool negative = std::any_of(c.branches.begin(), c.branches.end(), has_negative_energy);
   w.table({"",
            "",
            {{"", "branch"},
             {"", "whirl"},
-            {"", fmt::format("ω at {:.6g} rpm [rad/s]", first)},
-            {"", fmt::format("at {:.6g} rpm", c.spins[c.spins.size() / 2] * rpm)},
-            {"", fmt::format("at {:.6g} rpm", last)},
-            {"", "energy"}},
+            {"", w.frequency_heading() + " " + at(c.spins.front())},
+            {"", at(c.spins[c.spins.size() / 2])},
+            {"", at(c.spins.back())},
+            {"", negative ? "energy" : ""}},
            static_cast<Index>(c.branches.size()),
            [&](Index k) {
              const CampbellBranch& b = c.branches[static_cast<std::size_t>(k)];
-             const bool negative = std::any_of(b.modes.begin(), b.modes.end(), [](const auto& m) { return m && m->energy_sign < 0; });
              return std::vector<Cell>{{nullptr, fmt::format("{}", k + 1)}, {nullptr, whirl_words(c, b)},
                                       {nullptr, words(b.modes.front())},   {nullptr, words(b.modes[b.modes.size() / 2])},
-                                      {nullptr, words(b.modes.back())},    {nullptr, negative ? "−" : "+"}};
+                                      {nullptr, words(b.modes.back())},    {nullptr, has_negative_energy(b) ? "−" : "+"}};
            }});
   if (w.for_csv()) return;
   w.table({"branches",
@@ -84,29 +87,28 @@ void describe_encounters(const Campbell& c, Writer& w) {
   if (c.encounters.empty()) {
     w.say("encounters", c.interrupted ? "" : "none: the branches do not meet");
   }
+  const bool flutter = std::any_of(c.encounters.begin(), c.encounters.end(), [](const Encounter& e) { return e.flutter.has_value(); });
   w.table({"events",
            "",
            {{"kind", "encounter"},
-            {"spin", "Ω [rad/s]"},
-            {"", "speed [rpm]"},
-            {"omega", "ω [rad/s]"},
+            {"spin", w.spin_heading()},
+            {"omega", w.frequency_heading()},
             {"branches", "branches"},
-            {"gap", "gap [rad/s]"},
+            {"gap", w.frequency_heading("gap")},
             {"gap_error"},
-            {"flutter", "off the axis [rad/s]"}},
+            {"flutter", flutter ? fmt::format("off the axis [{}]", w.spin_unit()) : ""}},
            static_cast<Index>(c.encounters.size()),
            [&](Index k) {
              const Encounter& e = c.encounters[static_cast<std::size_t>(k)];
              const bool gap = e.kind == EncounterKind::veering || e.kind == EncounterKind::ambiguous;
              return std::vector<Cell>{{to_string(e.kind)},
-                                      {e.spin, fmt::format("{:.8g}", e.spin)},
-                                      {nullptr, fmt::format("{:.7g}", e.spin * rpm)},
-                                      {e.omega, fmt::format("{:.8g}", e.omega)},
+                                      {e.spin, fmt::format("{:.8g}", w.spin(e.spin))},
+                                      {e.omega, fmt::format("{:.8g}", w.frequency(e.omega))},
                                       {Json{e.branches[0], e.branches[1]}, fmt::format("{}, {}", e.branches[0] + 1, e.branches[1] + 1)},
-                                      {e.gap, gap ? fmt::format("{:.3g}", e.gap) : ""},
+                                      {e.gap, gap ? fmt::format("{:.3g}", w.frequency(e.gap)) : ""},
                                       {e.error},
                                       {e.flutter ? Json{(*e.flutter)[0], (*e.flutter)[1]} : no_value,
-                                       e.flutter ? fmt::format("{:.7g} … {:.7g}", (*e.flutter)[0], (*e.flutter)[1]) : ""}};
+                                       e.flutter ? fmt::format("{:.7g} … {:.7g}", w.spin((*e.flutter)[0]), w.spin((*e.flutter)[1])) : ""}};
            }});
 }
 
@@ -122,9 +124,8 @@ void describe_excitation(const Campbell& c, Writer& w) {
   w.table({"excitation",
            "",
            {{"order", "excitation"},
-            {"spin", "Ω [rad/s]"},
-            {"", "speed [rpm]"},
-            {"omega", "ω [rad/s]"},
+            {"spin", w.spin_heading()},
+            {"omega", w.frequency_heading()},
             {"branch", "branch"},
             {"whirl", "whirl"},
             {"error_bound"}},
@@ -132,9 +133,8 @@ void describe_excitation(const Campbell& c, Writer& w) {
            [&](Index k) {
              const Intersection& x = all[static_cast<std::size_t>(k)];
              return std::vector<Cell>{{x.order, fmt::format("{:g} ×", x.order)},
-                                      {x.spin, determined(x.spin, x.error, 8)},
-                                      {nullptr, determined(x.spin * rpm, x.error * rpm, 7)},
-                                      {x.omega, determined(x.omega, x.order * x.error, 8)},
+                                      {x.spin, determined(w.spin(x.spin), w.spin(x.error), 8)},
+                                      {x.omega, determined(w.frequency(x.omega), w.frequency(x.order * x.error), 8)},
                                       {x.branch, fmt::format("{}", x.branch + 1)},
                                       {whirl_json(x), x.whirl ? std::string(to_string(*x.whirl)) : "–"},
                                       {x.error}};
@@ -154,13 +154,20 @@ void describe_csv(const Campbell& c, Writer& w) {
   }
   w.table({"",
            "",
-           {{"spin"}, {"branch"}, {"omega"}, {"frequency_hz"}, {"whirl"}, {"energy_sign"}, {"error_bound"}, {"coverage"}},
+           {{w.spin_key("spin")},
+            {"branch"},
+            {w.frequency_key("omega")},
+            {"frequency_hz"},
+            {"whirl"},
+            {"energy_sign"},
+            {w.frequency_key("error_bound")},
+            {"coverage"}},
            static_cast<Index>(all.size()),
-           [all, &c](Index k) {
+           [all, &c, &w](Index k) {
              const auto& [s, b] = all[static_cast<std::size_t>(k)];
              const SampledMode& m = *c.branches[b].modes[s];
-             return std::vector<Cell>{{c.spins[s]},    {b + 1},         {m.omega}, {hertz(m.omega)},
-                                      {whirl_json(m)}, {m.energy_sign}, {m.error}, {Json(to_string(c.coverage[s].status))}};
+             return std::vector<Cell>{{c.spins[s]},    {b + 1},         {w.frequency(m.omega)}, {hertz(m.omega)},
+                                      {whirl_json(m)}, {m.energy_sign}, {w.frequency(m.error)}, {Json(to_string(c.coverage[s].status))}};
            },
            true});
 }
@@ -176,7 +183,7 @@ void describe(const Model& model, const Campbell& c, Writer& w) {
       std::count_if(c.coverage.begin(), c.coverage.end(), [](const Coverage& x) { return x.status == CoverageStatus::complete; });
   const auto unstable = std::count(c.stability.begin(), c.stability.end(), Stability::unstable);
   w.fact("spins", c.spins, "spins",
-         fmt::format("{:.6g} … {:.6g} rpm, {}{}", c.spins.front() * rpm, c.spins.back() * rpm, c.spins.size(),
+         fmt::format("{:.6g} … {:.6g} {}, {}{}", w.spin(c.spins.front()), w.spin(c.spins.back()), w.spin_unit(), c.spins.size(),
                      model.frame == gyromode::Frame::turning ? "; frequencies in the turning axes of the model" : ""));
   w.say("coverage", fmt::format("complete at {} of {} spins", complete, c.spins.size()));
   if (unstable > 0) w.say("unstable", fmt::format("at {} of {} spins", unstable, c.spins.size()));

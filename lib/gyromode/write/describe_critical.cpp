@@ -15,32 +15,37 @@ constexpr double rpm = 30 / std::numbers::pi;
 
 Json whirl_json(const CriticalSpeed& s) { return s.whirl ? Json(to_string(*s.whirl)) : Json(nullptr); }
 
+// Speeds of a map: rpm, unless another unit was asked for.
+FrequencyUnit map_unit(const Writer& w) { return w.spins_in_radians() ? FrequencyUnit::rpm : w.layout().spin_unit; }
+double shown(double speed, const Writer& w) { return in_unit(speed, map_unit(w)); }
+std::string_view shown_unit(const Writer& w) { return to_string(map_unit(w)); }
+
 }  // namespace
 
 void describe(const Model& model, const CriticalSpeeds& r, Writer& w) {
   w.fact("order", r.order, "order",
          fmt::format("{:g} × speed{}", r.order, model.frame == gyromode::Frame::turning ? ", in the turning axes of the model" : ""));
-  describe_coverage(r.coverage, w);
+  describe_coverage(r.coverage, w.layout().spin_unit, w);
   w.fact("not_physical", r.not_physical, "not real",
          r.not_physical == 0 ? "" : fmt::format("{} roots with Ω² ≤ 0 or not real", r.not_physical));
   w.table({"critical_speeds",
            "",
            {{"", "#"},
-            {"omega", "Ω [rad/s]"},
-            {"rpm", "speed [rpm]"},
+            {w.spin_key("omega"), w.spin_heading()},
+            {"rpm", w.spins_in_radians() ? "speed [rpm]" : ""},
             {"whirl", "whirl"},
             {"residual", "residual", "{:.1e}"},
-            {"error_bound"},
+            {w.spin_key("error_bound")},
             {"shape", "", "", Column::In::json}},
            static_cast<Index>(r.speeds.size()),
            [&](Index k) {
              const CriticalSpeed& s = r.speeds[static_cast<std::size_t>(k)];
              return std::vector<Cell>{{k + 1},
-                                      {s.speed, determined(s.speed, s.error_bound)},
+                                      {w.spin(s.speed), determined(w.spin(s.speed), w.spin(s.error_bound))},
                                       {s.speed * rpm, determined(s.speed * rpm, s.error_bound * rpm, 10)},
                                       {whirl_json(s), s.whirl ? std::string(to_string(*s.whirl)) : "–"},
                                       {s.residual},
-                                      {s.error_bound},
+                                      {w.spin(s.error_bound)},
                                       {shape_json(model.labels(), s.shape)}};
            },
            true});
@@ -55,7 +60,7 @@ void describe(const Model& model, const CriticalMap& map, Writer& w) {
   const std::string heading = dimension ? fmt::format("{} [{}]", map.keys, unit_of(*dimension)) : map.keys;
   if (!map.rows.empty())
     w.fact("order", map.rows.front().speeds.order, "order",
-           fmt::format("{:g} × speed; critical speeds in rpm", map.rows.front().speeds.order));
+           fmt::format("{:g} × speed; critical speeds in {}", map.rows.front().speeds.order, shown_unit(w)));
   w.fact("over", map.keys);
   if (map.interrupted) w.fact("interrupted", true, "interrupted", "higher values were not looked at");
   Table seen{"", "", {{"", heading}}, static_cast<Index>(map.rows.size()), {}};
@@ -66,7 +71,7 @@ void describe(const Model& model, const CriticalMap& map, Writer& w) {
     std::vector<Cell> cells{{nullptr, fmt::format("{:.6g}", r.value)}};
     for (std::size_t c = 0; c < std::min(most, most_columns); ++c) {
       const bool there = c < r.speeds.speeds.size();
-      cells.push_back({nullptr, there ? determined(r.speeds.speeds[c].speed * rpm, r.speeds.speeds[c].error_bound * rpm, 7) : ""});
+      cells.push_back({nullptr, there ? determined(shown(r.speeds.speeds[c].speed, w), shown(r.speeds.speeds[c].error_bound, w), 7) : ""});
     }
     cells.push_back({nullptr, r.reason.empty() ? std::string(to_string(r.speeds.coverage.status)) : "no model"});
     return cells;
@@ -79,11 +84,11 @@ void describe(const Model& model, const CriticalMap& map, Writer& w) {
     }
     w.table({"",
              "",
-             {{map.keys}, {"omega"}, {"rpm"}, {"whirl"}, {"error_bound"}},
+             {{map.keys}, {w.spin_key("omega")}, {"rpm"}, {"whirl"}, {w.spin_key("error_bound")}},
              static_cast<Index>(all.size()),
-             [all](Index k) {
+             [all, &w](Index k) {
                const auto& [r, s] = all[static_cast<std::size_t>(k)];
-               return std::vector<Cell>{{r->value}, {s->speed}, {s->speed * rpm}, {whirl_json(*s)}, {s->error_bound}};
+               return std::vector<Cell>{{r->value}, {w.spin(s->speed)}, {s->speed * rpm}, {whirl_json(*s)}, {w.spin(s->error_bound)}};
              },
              true});
     return;

@@ -68,7 +68,7 @@ void describe(const Model& model, const ModesResult& r, Writer& w) {
   w.fact("structure.path", r.solver, "solver", r.solver);
   w.fact("stability", to_string(r.stability), "stability", stability_words(r.stability) + repaired_words(r.repairs));
   describe_balance(r.index_balance, w);
-  describe_coverage(c, w);
+  describe_coverage(c, w.layout().unit, w);
   if (c.interrupted) w.fact("interrupted", true);
   describe_repairs(r.repairs, w);
   const bool shapes = !r.modes.empty() && r.modes.front().shape.size() > 0;
@@ -77,7 +77,7 @@ void describe(const Model& model, const ModesResult& r, Writer& w) {
   Table modes = modes_table(model, "modes", r.modes, w, in_csv), unstable = unstable_table(model, r.unstable, w, in_csv);
   modes.csv = unstable.csv = true;
   w.table(modes);
-  w.table(modes_lines(r.modes));
+  w.table(modes_lines(r.modes, w));
   if (shapes) describe_shapes(model, r.modes, w);
   w.table(unstable);
   w.fact("geometry", geometry(r));
@@ -85,7 +85,7 @@ void describe(const Model& model, const ModesResult& r, Writer& w) {
 }
 
 void describe(const Model&, const CountResult& r, Writer& w) {
-  w.fact("window", bounds(r.window), "window", window_words(r.window) + " rad/s");
+  w.fact("window", bounds(r.window), "window", window_words(r.window, w.layout().unit));
   w.fact("requested", bounds(r.requested));
   w.fact("count", r.count ? Json(*r.count) : Json(nullptr), "modes",
          r.count ? fmt::format("{}{}", *r.count, r.zero > 0 ? fmt::format(", {} of them at zero", r.zero) : "") : "not known");
@@ -96,12 +96,24 @@ void describe(const Model&, const CountResult& r, Writer& w) {
   w.fact("status", to_string(r.status), "status", std::string(to_string(r.status)));
   w.table({"",
            "",
-           {{"from"}, {"to"}, {"count"}, {"signed"}, {"zero"}, {"negative_from"}, {"negative_to"}, {"status"}},
+           {{w.frequency_key("from")},
+            {w.frequency_key("to")},
+            {"count"},
+            {"signed"},
+            {"zero"},
+            {"negative_from"},
+            {"negative_to"},
+            {"status"}},
            1,
            [&](Index) {
-             return std::vector<Cell>{
-                 {r.window.a},    {r.window.b},         {r.count ? Json(*r.count) : no_value}, {r.signed_count}, {r.zero}, {r.negative[0]},
-                 {r.negative[1]}, {to_string(r.status)}};
+             return std::vector<Cell>{{w.frequency(r.window.a)},
+                                      {w.frequency(r.window.b)},
+                                      {r.count ? Json(*r.count) : no_value},
+                                      {r.signed_count},
+                                      {r.zero},
+                                      {r.negative[0]},
+                                      {r.negative[1]},
+                                      {to_string(r.status)}};
            },
            true});
 }

@@ -13,7 +13,7 @@ namespace {
 void describe_shares(const ResponseReport& r, Writer& w) {
   Table t{"modal",
           "",
-          {{"omega", "ω [rad/s]", "{:.15g}"},
+          {{w.frequency_key("omega"), w.frequency_heading(), "{:.15g}"},
            {"amplitude", "amplitude", "{:.6g}"},
            {"phase", "phase [rad]", "{:.6g}"},
            {"energy", "energy", "{:.6g}"},
@@ -24,7 +24,7 @@ void describe_shares(const ResponseReport& r, Writer& w) {
           {}};
   t.row = [&](Index k) {
     const ModalShare& m = r.modal[static_cast<std::size_t>(k)];
-    return std::vector<Cell>{{m.omega},
+    return std::vector<Cell>{{w.frequency(m.omega)},
                              {m.amplitude},
                              {m.phase},
                              {m.energy},
@@ -73,7 +73,8 @@ std::string note(const FrequencyPoint& p) {
 void describe_points(const FrequencyReport& r, Writer& w) {
   constexpr std::size_t most_columns = 6;
   const std::size_t n = r.labels.size(), shown = std::min(n, most_columns);
-  Table t{"points", "", {{"omega", "ω [rad/s]", "{:.10g}"}}, static_cast<Index>(r.response.points.size()), {}, true};
+  Table t{"points", "",  {{w.frequency_key("omega"), w.frequency_heading(), "{:.10g}"}}, static_cast<Index>(r.response.points.size()),
+          {},       true};
   if (w.for_json())
     t.columns.insert(t.columns.end(), {{"resonance"}, {"added"}, {"driven"}, {"participation"}, {"re"}, {"im"}});
   else if (w.for_csv()) {
@@ -88,7 +89,7 @@ void describe_points(const FrequencyReport& r, Writer& w) {
     const FrequencyPoint& p = r.response.points[static_cast<std::size_t>(k)];
     const Cell driven{p.participation && !p.added ? Json(to_string(p.driven)) : no_value},
         participation{p.participation ? Json(*p.participation) : no_value};
-    std::vector<Cell> row{{p.omega}};
+    std::vector<Cell> row{{w.frequency(p.omega)}};
     if (json) {
       const Vector re = p.q.real(), im = p.q.imag();
       const auto list = [&](const Vector& v) { return p.resonance() ? Json(nullptr) : Json(std::vector<double>(v.begin(), v.end())); };

@@ -32,7 +32,8 @@ void describe_margin(const StabilityReport& report, Writer& w) {
   std::string words;
   if (report.opposite) {
     const auto [a, b] = *report.opposite;
-    words = fmt::format("roots of opposite energy sign come nearest at {:.10g} and {:.10g} rad/s, {:.3g} apart", a, b, b - a);
+    words = fmt::format("roots of opposite energy sign come nearest at {:.10g} and {:.10g} {}, {:.3g} apart", w.frequency(a),
+                        w.frequency(b), w.frequency_unit(), w.frequency(b - a));
   } else if (std::isfinite(gap)) {
     words = fmt::format("nearest roots of opposite energy sign are {:.3g} apart, relative", gap);
   }
@@ -48,13 +49,13 @@ void describe_negative_modes(const Model& model, const std::vector<Mode>& modes,
   w.table(modes_table(model, "negative_modes", modes, w));
   w.table({"",
            "modes of negative energy",
-           {{"", "ω [rad/s]"}, {"", "energy"}, {"", "error bound", "{:.1e}"}, {"", "largest in"}},
+           {{"", w.frequency_heading()}, {"", "energy"}, {"", "error bound", "{:.1e}"}, {"", "largest in"}},
            static_cast<Index>(modes.size()),
            [&](Index k) {
              const Mode& m = modes[static_cast<std::size_t>(k)];
-             return std::vector<Cell>{{nullptr, determined(m.omega, m.error_bound)},
+             return std::vector<Cell>{{nullptr, determined(w.frequency(m.omega), w.frequency(m.error_bound))},
                                       {m.energy_sign < 0 ? "−" : "0: a pair of both signs"},
-                                      {m.error_bound},
+                                      {w.frequency(m.error_bound)},
                                       {nullptr, largest_in(model.labels(), m.shape)}};
            }});
 }

@@ -83,22 +83,24 @@ void describe_booms(const StructureReport& r, Writer& w) {
   if (!r.clamped_booms.empty()) {
     w.table({"held_booms",
              "",
-             {{"name", "boom on a body held"}, {"omega", "ω [rad/s]"}},
+             {{"name", "boom on a body held"}, {w.frequency_key("omega"), w.frequency_heading()}},
              static_cast<Index>(r.clamped_booms.size()),
              [&](Index k) {
                const ClampedBoom& b = r.clamped_booms[static_cast<std::size_t>(k)];
-               return std::vector<Cell>{{b.name}, {b.frequencies, fmt::format("{:.6g}", fmt::join(b.frequencies, "  "))}};
+               std::vector<double> shown;
+               for (const double omega : b.frequencies) shown.push_back(w.frequency(omega));
+               return std::vector<Cell>{{b.name}, {shown, fmt::format("{:.6g}", fmt::join(shown, "  "))}};
              }});
   }
   if (r.effective_axes.empty()) return;
   w.table({"effective_axes",
            "ψ: from axis 1 to the principal axis of the effective inertia of hub and booms at the frequency of each mode; about it "
            "rotations are in phase, across it in quadrature",
-           {{"omega", "ω [rad/s]", "{:.10g}"}, {"psi", "ψ [°]"}},
+           {{w.frequency_key("omega"), w.frequency_heading(), "{:.10g}"}, {"psi", "ψ [°]"}},
            static_cast<Index>(r.effective_axes.size()),
            [&](Index k) {
              const EffectiveAxes& e = r.effective_axes[static_cast<std::size_t>(k)];
-             return std::vector<Cell>{{e.omega}, {e.angle, fmt::format("{:.8g}", e.angle * 180 / std::numbers::pi)}};
+             return std::vector<Cell>{{w.frequency(e.omega)}, {e.angle, fmt::format("{:.8g}", e.angle * 180 / std::numbers::pi)}};
            }});
 }
 
@@ -124,7 +126,7 @@ std::string how_words(const Realified& at) {
 void describe_impedance(const Model& model, const RealifiedAt& r, Writer& w) {
   const Realified& at = r.realified;
   const int sign = at.determinant_sign();
-  tabulate(fmt::format("H({:.6g} rad/s)", r.omega), model.labels(), at.impedance, w);
+  tabulate(fmt::format("H({:.6g} {})", in_unit(r.omega, w.layout().unit), w.frequency_unit()), model.labels(), at.impedance, w);
   tabulate("U", model.labels(), at.unitary, w);
   tabulate("H* = UᴴHU", model.labels(), at.real_symmetric.cast<Complex>(), w);
   w.fact("at", {{"omega", r.omega},

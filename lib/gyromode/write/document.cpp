@@ -28,41 +28,41 @@ namespace {
 using namespace io;
 
 template <class Result>
-std::string written(std::string_view kind, const Model& model, const Result& result, const Timings& timings, Format format,
+std::string written(std::string_view kind, const Model& model, const Result& result, const Timings& timings, const Layout& layout,
                     int version = 1) {
-  const std::unique_ptr<Writer> w = writer(kind, model, timings, format, version);
+  const std::unique_ptr<Writer> w = writer(kind, model, timings, layout, version);
   describe(model, result, *w);
   return w->text();
 }
 
 }  // namespace
 
-std::string document(const Model& model, const ModesResult& result, const Timings& timings, Format format, int version) {
-  return format == Format::svg ? modes_svg(model, result) : written("modes", model, result, timings, format, version);
+std::string document(const Model& model, const ModesResult& result, const Timings& timings, const Layout& layout, int version) {
+  return layout.format == Format::svg ? modes_svg(model, result) : written("modes", model, result, timings, layout, version);
 }
-std::string document(const Model& model, const CountResult& result, const Timings& timings, Format format) {
-  return written("count", model, result, timings, format);
+std::string document(const Model& model, const CountResult& result, const Timings& timings, const Layout& layout) {
+  return written("count", model, result, timings, layout);
 }
-std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format) {
-  return written("structure", model, report, timings, format);
+std::string document(const Model& model, const StructureReport& report, const Timings& timings, const Layout& layout) {
+  return written("structure", model, report, timings, layout);
 }
-std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, Format format) {
-  return written("critical", model, speeds, timings, format);
+std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, const Layout& layout) {
+  return written("critical", model, speeds, timings, layout);
 }
-std::string document(const Model& model, const Campbell& diagram, const Timings& timings, Format format) {
-  return written("campbell", model, diagram, timings, format);
+std::string document(const Model& model, const Campbell& diagram, const Timings& timings, const Layout& layout) {
+  return written("campbell", model, diagram, timings, layout);
 }
-std::string document(const Model& model, const CriticalMap& map, const Timings& timings, Format format) {
-  return written("critical", model, map, timings, format);
+std::string document(const Model& model, const CriticalMap& map, const Timings& timings, const Layout& layout) {
+  return written("critical", model, map, timings, layout);
 }
-std::string document(const Model& model, const StabilityReport& report, const Timings& timings, Format format) {
-  return written("stability", model, report, timings, format);
+std::string document(const Model& model, const StabilityReport& report, const Timings& timings, const Layout& layout) {
+  return written("stability", model, report, timings, layout);
 }
-std::string document(const Model& model, const ResponseReport& report, const Timings& timings, Format format) {
-  return written("response", model, report, timings, format);
+std::string document(const Model& model, const ResponseReport& report, const Timings& timings, const Layout& layout) {
+  return written("response", model, report, timings, layout);
 }
-std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, Format format) {
-  return written("frequency_response", model, report, timings, format);
+std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, const Layout& layout) {
+  return written("frequency_response", model, report, timings, layout);
 }
 
 }  // namespace gyromode

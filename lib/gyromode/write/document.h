@@ -1,11 +1,13 @@
 #pragma once
 
+#include "gyromode/base/frequency_unit.h"
 #include "gyromode/models/model.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace gyromode {
@@ -24,6 +26,17 @@ struct Timings {
   double solve = 0;  ///< of the answer
 };
 
+/// How a document looks.
+struct Layout {
+  Format format = Format::table;                             ///< how it is written
+  FrequencyUnit unit = FrequencyUnit::radians;               ///< of frequencies, for people and in CSV
+  FrequencyUnit spin_unit = FrequencyUnit::radians;          ///< of spins and critical speeds, likewise
+  std::vector<std::pair<std::string, std::string>> options;  ///< what was asked for, as it was asked: "options" of JSON
+
+  /// In rad/s.
+  Layout(Format how = Format::table) : format(how) {}
+};
+
 /// The numbers that a verdict and a list of modes rest on, a line each, for people: components, index balance, counts,
 /// the largest residual and error bound, the nearest roots of opposite energy sign.
 std::vector<std::string> evidence(const ModesResult& result);
@@ -31,14 +44,14 @@ std::vector<std::string> evidence(const ModesResult& result);
 /// A result as text in the format asked for; svg, a picture of the shapes, is for the modes of a spacecraft with
 /// shapes. JSON follows the public schemas (docs/results.md), 17 significant digits where needed. `version` of the
 /// schema gyromode/modes: 1, a shape with each mode; 2, shapes and displacements of all modes as one block.
-std::string document(const Model& model, const ModesResult& result, const Timings& timings, Format format, int version = 1);
-std::string document(const Model& model, const CountResult& result, const Timings& timings, Format format);
-std::string document(const Model& model, const StructureReport& report, const Timings& timings, Format format);
-std::string document(const Model& model, const ResponseReport& report, const Timings& timings, Format format);
-std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, Format format);
-std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, Format format);
-std::string document(const Model& model, const Campbell& diagram, const Timings& timings, Format format);
-std::string document(const Model& model, const CriticalMap& map, const Timings& timings, Format format);
-std::string document(const Model& model, const StabilityReport& report, const Timings& timings, Format format);
+std::string document(const Model& model, const ModesResult& result, const Timings& timings, const Layout& layout, int version = 1);
+std::string document(const Model& model, const CountResult& result, const Timings& timings, const Layout& layout);
+std::string document(const Model& model, const StructureReport& report, const Timings& timings, const Layout& layout);
+std::string document(const Model& model, const ResponseReport& report, const Timings& timings, const Layout& layout);
+std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, const Layout& layout);
+std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, const Layout& layout);
+std::string document(const Model& model, const Campbell& diagram, const Timings& timings, const Layout& layout);
+std::string document(const Model& model, const CriticalMap& map, const Timings& timings, const Layout& layout);
+std::string document(const Model& model, const StabilityReport& report, const Timings& timings, const Layout& layout);
 
 }  // namespace gyromode

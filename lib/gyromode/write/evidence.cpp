@@ -16,7 +16,7 @@ std::vector<std::string> evidence(const ModesResult& r) {
   lines.push_back("solver: " + r.solver);
   if (!r.first_order) lines.push_back("index balance " + io::balance_words(r.index_balance));
   const Coverage& c = r.coverage;
-  lines.push_back(fmt::format("window {} rad/s: found {}, counted {}", io::window_words(c.window), c.found,
+  lines.push_back(fmt::format("window {}: found {}, counted {}", io::window_words(c.window), c.found,
                               c.counted ? fmt::format("{}", *c.counted) : "nothing"));
   double residual = 0, relative = 0;
   for (const Mode& m : r.modes) {

@@ -105,14 +105,14 @@ void describe_class(const Model& model, const Structure& s, const InertiaOfK& k,
   if (model.ignored && model.ignored->largest > 0) w.fact("structure.largest_ignored_coupling", model.ignored->largest);
 }
 
-void describe_coverage(const Coverage& c, Writer& w) {
+void describe_coverage(const Coverage& c, FrequencyUnit unit, Writer& w) {
   w.fact("coverage",
          {{"status", to_string(c.status)},
           {"window", bounds(c.window)},
           {"requested", bounds(c.requested)},
           {"found", c.found},
           {"counted", c.counted ? Json(*c.counted) : Json(nullptr)}},
-         "coverage", coverage_words(c));
+         "coverage", coverage_words(c, unit));
   if (!c.reason.empty()) w.fact("coverage.reason", c.reason);
 }
 
@@ -135,8 +135,8 @@ struct ModeLine {
   Index first, last;
   double residual;
 
-  ModeLine(const Mode& m, Index at)
-      : omega(determined(m.omega, m.error_bound)),
+  ModeLine(const Mode& m, Index at, const Writer& w)
+      : omega(determined(w.frequency(m.omega), w.frequency(m.error_bound))),
         hertz(determined(io::hertz(m.omega), io::hertz(m.error_bound), 10)),
         kind(m.kind == ModeKind::rigid_body ? "rigid body" : to_string(m.kind)),
         sign(m.energy_sign),
@@ -149,10 +149,10 @@ struct ModeLine {
   std::string kind_and_count() const { return count() == 1 ? kind : fmt::format("{} ×{}", kind, count()); }
 };
 
-std::vector<ModeLine> lines_of(const std::vector<Mode>& modes) {
+std::vector<ModeLine> lines_of(const std::vector<Mode>& modes, const Writer& w) {
   std::vector<ModeLine> lines;
   for (std::size_t k = 0; k < modes.size(); ++k) {
-    const ModeLine line(modes[k], static_cast<Index>(k));
+    const ModeLine line(modes[k], static_cast<Index>(k), w);
     if (lines.empty() || !lines.back().reads_like(line)) {
       lines.push_back(line);
       continue;
@@ -165,11 +165,16 @@ std::vector<ModeLine> lines_of(const std::vector<Mode>& modes) {
 
 }  // namespace
 
-Table modes_lines(const std::vector<Mode>& modes) {
-  const std::vector<ModeLine> lines = lines_of(modes);
+Table modes_lines(const std::vector<Mode>& modes, const Writer& w) {
+  const std::vector<ModeLine> lines = lines_of(modes, w);
   return {"",
           "",
-          {{"", "#"}, {"", "ω [rad/s]"}, {"", "f [Hz]"}, {"", "energy"}, {"", "residual", "{:.1e}"}, {"", "kind"}},
+          {{"", "#"},
+           {"", w.frequency_heading()},
+           {"", w.in_radians() ? "f [Hz]" : ""},
+           {"", "energy"},
+           {"", "residual", "{:.1e}"},
+           {"", "kind"}},
           static_cast<Index>(lines.size()),
           [lines](Index k) {
             const ModeLine& m = lines[static_cast<std::size_t>(k)];
@@ -181,14 +186,14 @@ Table modes_lines(const std::vector<Mode>& modes) {
 Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w, bool shapes_in_csv) {
   Table t{std::move(key),
           "",
-          {{"omega"},
+          {{w.frequency_key("omega")},
            {"frequency_hz"},
            {"growth_rate", "", "", Column::In::csv},
            {"kind"},
            {"energy_sign"},
            {"multiplicity"},
            {"residual"},
-           {"error_bound"},
+           {w.frequency_key("error_bound")},
            {"cluster", "", "", Column::In::json},
            {"bracket", "", "", Column::In::json},
            {"shape", "", "", Column::In::json},
@@ -197,16 +202,16 @@ Table modes_table(const Model& model, std::string key, const std::vector<Mode>& 
           {}};
   const bool flat = shapes_in_csv, nested = w.for_json() && w.version() == 1;
   if (flat) add_shape_columns(model.labels(), t);
-  t.row = [&model, &modes, flat, nested](Index k) {
+  t.row = [&model, &modes, &w, flat, nested](Index k) {
     const Mode& m = modes[static_cast<std::size_t>(k)];
-    std::vector<Cell> row{{m.omega},
+    std::vector<Cell> row{{w.frequency(m.omega)},
                           {hertz(m.omega)},
                           {0},
                           {to_string(m.kind)},
                           {m.energy_sign},
                           {m.multiplicity},
                           {m.residual},
-                          {m.error_bound},
+                          {w.frequency(m.error_bound)},
                           {m.cluster > 1 ? Json(m.cluster) : no_value},
                           {m.bracket ? Json(*m.bracket) : no_value},
                           {nested ? shape_json(model.labels(), m.shape) : no_value},
@@ -221,14 +226,14 @@ Table unstable_table(const Model& model, const std::vector<UnstableMode>& modes,
   Table t{"unstable",
           "",
           {{"growth_rate", "growth rate [1/s]", "{:.15g}", Column::In::json},
-           {"omega", "ω [rad/s]", "{:.15g}"},
+           {w.frequency_key("omega"), w.frequency_heading()},
            {"frequency_hz", "", "", Column::In::csv},
            {"growth_rate", "", "", Column::In::csv},
            {"kind", ""},
            {"energy_sign", "", "", Column::In::csv},
            {"multiplicity", "", "", Column::In::csv},
            {"residual", "residual"},
-           {"error_bound", "error bound", "{:.1e}"},
+           {w.frequency_key("error_bound"), "error bound"},
            {"", "kind"},
            {"", !modes.empty() && modes.front().shape.size() > 0 ? "largest in" : ""},
            {"shape", "", "", Column::In::json}},
@@ -236,18 +241,18 @@ Table unstable_table(const Model& model, const std::vector<UnstableMode>& modes,
           {}};
   const bool nested = w.for_json() && w.version() == 1;
   if (shapes_in_csv) add_shape_columns(model.labels(), t);
-  t.row = [&model, &modes, shapes_in_csv, nested](Index k) {
+  t.row = [&model, &modes, &w, shapes_in_csv, nested](Index k) {
     const UnstableMode& u = modes[static_cast<std::size_t>(k)];
     const char* kind = u.flutter() ? "flutter" : "divergence";
     std::vector<Cell> row{{u.growth_rate, determined(u.growth_rate, u.error_bound)},
-                          {u.omega, determined(u.omega, u.error_bound)},
+                          {w.frequency(u.omega), determined(w.frequency(u.omega), w.frequency(u.error_bound))},
                           {hertz(u.omega), ""},
                           {u.growth_rate, ""},
                           {kind, ""},
                           {nullptr, ""},
                           {1, ""},
                           {u.residual, measured(u.residual)},
-                          {u.error_bound, measured(u.error_bound)},
+                          {w.frequency(u.error_bound), measured(w.frequency(u.error_bound))},
                           {kind, ""},
                           {nullptr, largest_in(model.labels(), u.shape)},
                           {nested ? shape_json(model.labels(), u.shape) : no_value, ""}};

@@ -64,8 +64,9 @@ std::string stability_words(Stability s) {
   }
 }
 
-std::string window_words(const Window& w) {
-  return std::isinf(w.b) ? fmt::format("[{:.6g}, ∞)", w.a) : fmt::format("[{:.6g}, {:.6g})", w.a, w.b);
+std::string window_words(const Window& w, FrequencyUnit unit) {
+  const double a = in_unit(w.a, unit), b = in_unit(w.b, unit);
+  return std::isinf(b) ? fmt::format("[{:.6g}, ∞) {}", a, to_string(unit)) : fmt::format("[{:.6g}, {:.6g}) {}", a, b, to_string(unit));
 }
 
 std::string balance_words(const IndexBalance& b) {
@@ -74,10 +75,10 @@ std::string balance_words(const IndexBalance& b) {
                      b.zero_negative > 0 ? fmt::format(" + {} at zero", b.zero_negative) : "");
 }
 
-std::string coverage_words(const Coverage& c) {
+std::string coverage_words(const Coverage& c, FrequencyUnit unit) {
   std::string out = fmt::format("{}: found {}", to_string(c.status), c.found);
   if (c.counted) out += fmt::format(", counted {}", *c.counted);
-  out += fmt::format(" in {} rad/s", window_words(c.window));
+  out += fmt::format(" in {}", window_words(c.window, unit));
   return c.reason.empty() ? out : out + " — " + c.reason;
 }
 

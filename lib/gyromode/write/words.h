@@ -16,9 +16,10 @@ std::string model_words(const Model& model);
 std::string class_words(const Model& model, const Structure& s);
 std::string stiffness_words(const InertiaOfK& k);
 std::string stability_words(Stability s);
-std::string window_words(const Window& w);
+/// In rad/s, or in another unit.
+std::string window_words(const Window& w, FrequencyUnit unit = FrequencyUnit::radians);
 std::string balance_words(const IndexBalance& b);
-std::string coverage_words(const Coverage& c);
+std::string coverage_words(const Coverage& c, FrequencyUnit unit = FrequencyUnit::radians);
 /// The labels of some coordinates, the first dozen by name.
 std::string joined(const Labels& labels, const std::vector<Index>& coordinates);
 std::string complex_words(const Complex& z);
@@ -40,9 +41,10 @@ std::string repaired_words(const std::vector<Repair>& repairs);
 void describe_repairs(const std::vector<Repair>& repairs, Writer& w);
 void describe_class(const Model& model, const Structure& s, const InertiaOfK& k, bool has_stiffness, Writer& w);
 void describe_balance(const IndexBalance& b, Writer& w);
-void describe_coverage(const Coverage& c, Writer& w);
+/// `unit` of its window, for people.
+void describe_coverage(const Coverage& c, FrequencyUnit unit, Writer& w);
 /// Modes as people read them.
-Table modes_lines(const std::vector<Mode>& modes);
+Table modes_lines(const std::vector<Mode>& modes, const Writer& w);
 /// Modes for programs, under `key` in JSON; with their shapes where they have some.
 Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w, bool shapes_in_csv = false);
 Table unstable_table(const Model& model, const std::vector<UnstableMode>& modes, const Writer& w, bool shapes_in_csv);

@@ -3,6 +3,7 @@
 #include "gyromode/base/lines.h"
 #include "gyromode/formats/csv.h"
 #include "gyromode/lapack/library.h"
+#include "gyromode/models/model_kind.h"
 #include "gyromode/version.h"
 #include "gyromode/write/grid.h"
 #include "gyromode/write/words.h"
@@ -18,7 +19,8 @@ namespace {
 
 class JsonWriter : public Writer {
  public:
-  JsonWriter(std::string_view kind, const Model& model, const Timings& timings, int version) : Writer(Format::json, version) {
+  JsonWriter(std::string_view kind, const Model& model, const Timings& timings, const Layout& layout, int version)
+      : Writer(layout, version) {
     root_["schema"] = fmt::format("gyromode/{}/{}", kind, version);
     root_["model"] = {{"title", model.title},
                       {"sha256", model.sha256},
@@ -27,6 +29,11 @@ class JsonWriter : public Writer {
                       {"frame", model.frame == Frame::unknown ? Json(nullptr) : Json(to_string(model.frame))}};
     if (model.ignored) root_["model"]["couplings_left_out"] = {{"up_to", model.ignored->tolerance}, {"largest", model.ignored->largest}};
     root_["versions"] = {{"gyromode", gyromode::version()}, {"blas", lapack::library()}};
+    root_["units"] = frequency_unit();
+    root_["parameters"] = Json::object();
+    for (const Parameter& p : model.body->named_parameters()) root_["parameters"][p.key] = p.value;
+    root_["options"] = Json::object();
+    for (const auto& [option, value] : layout.options) root_["options"][option] = value;
     root_["timings"] = {{"read_s", timings.read}, {"solve_s", timings.solve}};
   }
 
@@ -66,7 +73,7 @@ class JsonWriter : public Writer {
 
 class CsvWriter : public Writer {
  public:
-  CsvWriter() : Writer(Format::csv) {}
+  explicit CsvWriter(const Layout& layout) : Writer(layout) {}
 
   void fact(std::string_view, Json, std::string_view, const std::string&) override {}
   void table(const Table& t) override {
@@ -108,7 +115,7 @@ class CsvWriter : public Writer {
 // For people: aligned columns, or Markdown.
 class TextWriter : public Writer {
  public:
-  TextWriter(const Model& model, Format format) : Writer(format), markdown_(format == Format::markdown) {
+  TextWriter(const Model& model, const Layout& layout) : Writer(layout), markdown_(layout.format == Format::markdown) {
     text_ = markdown_ ? "## " + markdown_escaped(model_words(model)) + "\n"
                       : wrapped_with_indent(model_words(model), line_columns - 2, 2) + "\n";
   }
@@ -174,10 +181,22 @@ class TextWriter : public Writer {
 
 }  // namespace
 
-std::unique_ptr<Writer> writer(std::string_view kind, const Model& model, const Timings& timings, Format format, int version) {
-  if (format == Format::json) return std::make_unique<JsonWriter>(kind, model, timings, version);
-  if (format == Format::csv) return std::make_unique<CsvWriter>();
-  return std::make_unique<TextWriter>(model, format);
+std::string Writer::key_in(std::string_view key, FrequencyUnit unit) const {
+  if (for_json() || unit == FrequencyUnit::radians) return std::string(key);
+  return fmt::format("{}_{}", key, unit == FrequencyUnit::hertz ? "hz" : "rpm");
+}
+
+std::string Writer::frequency_heading(std::string_view what) const {
+  const std::string_view symbol = !what.empty() ? what : in_radians() ? "ω" : "f";
+  return fmt::format("{} [{}]", symbol, frequency_unit());
+}
+
+std::string Writer::spin_heading() const { return fmt::format("{} [{}]", spins_in_radians() ? "Ω" : "speed", spin_unit()); }
+
+std::unique_ptr<Writer> writer(std::string_view kind, const Model& model, const Timings& timings, const Layout& layout, int version) {
+  if (layout.format == Format::json) return std::make_unique<JsonWriter>(kind, model, timings, layout, version);
+  if (layout.format == Format::csv) return std::make_unique<CsvWriter>(layout);
+  return std::make_unique<TextWriter>(model, layout);
 }
 
 }  // namespace gyromode::io

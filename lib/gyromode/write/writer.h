@@ -57,21 +57,38 @@ class Writer {
   virtual void drawing(const std::string& lines) = 0;
   virtual std::string text() = 0;
 
+  const Layout& layout() const { return layout_; }
   /// Version of the schema asked for.
   int version() const { return version_; }
-  bool for_json() const { return format_ == Format::json; }
-  bool for_csv() const { return format_ == Format::csv; }
+  bool for_json() const { return layout_.format == Format::json; }
+  bool for_csv() const { return layout_.format == Format::csv; }
+
+  /// A frequency or a spin, rad/s, for people and CSV; for JSON as it is.
+  double frequency(double omega) const { return for_json() ? omega : in_unit(omega, layout_.unit); }
+  double spin(double omega) const { return for_json() ? omega : in_unit(omega, layout_.spin_unit); }
+  /// "ω [rad/s]", "f [Hz]", "f [rpm]"; "Ω [rad/s]", "speed [rpm]"; with `what` "gap [Hz]".
+  std::string frequency_heading(std::string_view what = {}) const;
+  std::string spin_heading() const;
+  std::string frequency_unit() const { return std::string(to_string(layout_.unit)); }
+  std::string spin_unit() const { return std::string(to_string(layout_.spin_unit)); }
+  bool in_radians() const { return layout_.unit == FrequencyUnit::radians; }
+  bool spins_in_radians() const { return layout_.spin_unit == FrequencyUnit::radians; }
+  /// The key of a column: in CSV with the unit where that is not rad/s: "omega", "omega_hz".
+  std::string frequency_key(std::string_view key) const { return key_in(key, layout_.unit); }
+  std::string spin_key(std::string_view key) const { return key_in(key, layout_.spin_unit); }
 
  protected:
-  explicit Writer(Format format, int version = 1) : format_(format), version_(version) {}
+  explicit Writer(const Layout& layout, int version = 1) : layout_(layout), version_(version) {}
 
  private:
-  Format format_;
+  std::string key_in(std::string_view key, FrequencyUnit unit) const;
+
+  Layout layout_;
   int version_;
 };
 
 /// A document of that kind ("modes") and version about a model.
-std::unique_ptr<Writer> writer(std::string_view kind, const Model& model, const Timings& timings, Format format, int version);
+std::unique_ptr<Writer> writer(std::string_view kind, const Model& model, const Timings& timings, const Layout& layout, int version);
 
 /// Describes each result.
 void describe(const Model& model, const ModesResult& result, Writer& w);
