@@ -1,6 +1,7 @@
 #include "errors.h"
 #include "job.h"
 #include "parameter_axis.h"
+#include "sensitivity.h"
 #include "verbs.h"
 
 #include "gyromode/base/number.h"
@@ -20,6 +21,7 @@ struct Options {
   std::string order = "1";
   std::optional<Index> lowest;
   std::string over;
+  SensitivityOption sensitivity;
 };
 
 ExitCode run_over(const Options& o, const CriticalOptions& options, Job& job) {
@@ -44,8 +46,13 @@ ExitCode run(const Options& o) {
   options.lowest = o.lowest;
   Job job(o.source, o.output);
   if (!o.over.empty()) return run_over(o, options, job);
-  const CriticalSpeeds result = job.answer([&](const Model& m) { return m.critical_speeds(options); });
-  o.output.write(document(job.model(), result, job.timings(), o.output.layout()));
+  std::vector<Sensitivity> sensitivities;
+  const CriticalSpeeds result = job.answer([&](const Model& m) {
+    CriticalSpeeds found = m.critical_speeds(options);
+    sensitivities = o.sensitivity.of(m, found);
+    return found;
+  });
+  o.output.write(document(job.model(), result, job.timings(), o.output.layout(), sensitivities));
   if (result.coverage.status == CoverageStatus::complete) return ExitCode::done;
   o.output.say(fmt::format("not certified complete: {}", result.coverage.reason));
   return ExitCode::not_certified;
@@ -68,6 +75,8 @@ void add_critical(CLI::App& program, int& code) {
                    "Over N values from A to B of a number of the model, spaced logarithmically: the undamped critical-speed map. Commas "
                    "between keys that share the value")
       ->type_name("KEY,…=A:B:N");
+  o->sensitivity.add_to(*verb);
+  verb->get_option("--sensitivity")->excludes(verb->get_option("--over"));
   o->output.add_to(*verb);
   verb->footer(
       "Examples:\n  gyromode critical models/rotors/two_discs.toml --lowest 6\n"

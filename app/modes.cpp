@@ -1,6 +1,7 @@
 #include "errors.h"
 #include "job.h"
 #include "load.h"
+#include "sensitivity.h"
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
@@ -26,6 +27,7 @@ struct Options {
   std::optional<Index> elements;
   std::string keep;
   int schema = 1;
+  SensitivityOption sensitivity;
 };
 
 constexpr Index lowest_of_infinitely_many = 10;
@@ -54,12 +56,17 @@ ExitCode run(const Options& given) {
   if (infinite) bound(options, o);
   o.output.pictures = job.model().body->transcendental();
   const Format format = o.output.chosen();
-  options.shapes = o.shapes || format == Format::svg;
-  const ModesResult result = job.answer([&](const Model& m, const Progress& progress) {
+  options.shapes = o.shapes || format == Format::svg || o.sensitivity.asked;
+  std::vector<Sensitivity> sensitivities;
+  ModesResult result = job.answer([&](const Model& m, const Progress& progress) {
     options.progress = progress;
-    return m.modes(options);
+    ModesResult found = m.modes(options);
+    if (o.sensitivity.asked && !found.coverage.interrupted) progress.stage("sensitivities");
+    if (!found.coverage.interrupted) sensitivities = o.sensitivity.of(m, found.modes);
+    return found;
   });
-  o.output.write(document(job.model(), result, job.timings(), o.output.layout(), o.schema));
+  if (!o.shapes && format != Format::svg) result.drop_shapes();
+  o.output.write(document(job.model(), result, job.timings(), o.output.layout(), o.schema, sensitivities));
   if (o.output.verbose) {
     for (const std::string& line : evidence(result)) o.output.say(line);
   }
@@ -105,10 +112,12 @@ void add_modes(CLI::App& program, int& code) {
   verb->add_option("--schema", o->schema, "Version of the JSON schema: 1, a shape with each mode (default); 2, all shapes as one block")
       ->type_name("VERSION")
       ->check(CLI::IsMember({1, 2}));
+  o->sensitivity.add_to(*verb);
   o->output.add_to(*verb);
   verb->footer(
       "Examples:\n  gyromode modes models/three_springs.toml --shapes\n  gyromode modes models/wiresaw.toml --lowest 3 --format json\n"
-      "  gyromode modes models/geos.toml --below 40rpm\n  gyromode modes models/geos.toml --lowest 6 -o shapes.svg\n  gyromode modes "
+      "  gyromode modes models/geos.toml --below 40rpm\n  gyromode modes models/rotors/two_discs.toml --lowest 4 --sensitivity\n  gyromode "
+      "modes models/geos.toml --lowest 6 -o shapes.svg\n  gyromode modes "
       "models/geos.toml --method discrete --elements 100\n"
       "  gyromode modes --mass M.mtx --gyroscopic G.mtx --stiffness K.mtx --window 1Hz:50Hz -o modes.csv");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });

@@ -83,4 +83,19 @@ double distance_to_root(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, cons
   return static_cast<double>(abs(root({mixed(M, 1, 1), mixed(G, 1, -1), mixed(K, 1, 1)}, start) - start));
 }
 
+double slope_of_root(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, const Eigen::MatrixXd& K, const Eigen::MatrixXd& dM,
+                     const Eigen::MatrixXd& dG, const Eigen::MatrixXd& dK, double omega) {
+  const Real h("1e-40");
+  const auto moved = [&](const Eigen::MatrixXd& a, const Eigen::MatrixXd& by, int sign) {
+    auto all = mixed(a, 1, sign);
+    for (Eigen::Index i = 0; i < a.rows(); ++i) {
+      for (Eigen::Index j = 0; j < a.cols(); ++j) all[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] += h * Real(by(i, j));
+    }
+    return all;
+  };
+  const Complex here = root({mixed(M, 1, 1), mixed(G, 1, -1), mixed(K, 1, 1)}, Complex(0, omega));
+  const Complex there = root({moved(M, dM, 1), moved(G, dG, -1), moved(K, dK, 1)}, here);
+  return static_cast<double>((there.imag() - here.imag()) / h);
+}
+
 }  // namespace gyromode::reference

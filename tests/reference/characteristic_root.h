@@ -14,4 +14,9 @@ double moved_by_asymmetry(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, co
 /// singular.
 double distance_to_root(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, const Eigen::MatrixXd& K, std::complex<double> lambda);
 
+/// dω/dp, in 100 digits and rounded, of the simple root λ = jω of λ²M + λG + K nearest to it, where M, G, K change by
+/// dM, dG, dK with p: the difference of the roots at p and p + 10⁻⁴⁰.
+double slope_of_root(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G, const Eigen::MatrixXd& K, const Eigen::MatrixXd& dM,
+                     const Eigen::MatrixXd& dG, const Eigen::MatrixXd& dK, double omega);
+
 }  // namespace gyromode::reference

@@ -37,6 +37,12 @@ StabilityMap Model::stability_over(const std::vector<ParameterAxis>& axes, const
   return gyromode::stability_over(*body, axes, progress);
 }
 CriticalSpeeds Model::critical_speeds(const CriticalOptions& options) const { return body->critical_speeds(options); }
+std::vector<Sensitivity> Model::sensitivities(const std::vector<Mode>& modes, const std::vector<std::string>& keys) const {
+  return gyromode::sensitivities(*body, modes, keys);
+}
+std::vector<Sensitivity> Model::sensitivities(const CriticalSpeeds& found, const std::vector<std::string>& keys) const {
+  return gyromode::sensitivities(*body, found, body->speed_key(), keys);
+}
 Campbell Model::campbell(const CampbellOptions& options) const { return gyromode::campbell(body->spin_source(), options); }
 StructureReport Model::structure(std::optional<double> at) const { return body->structure(at); }
 ResponseReport Model::response(const MotionRequest& request) const { return body->response(request); }

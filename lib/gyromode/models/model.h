@@ -4,6 +4,7 @@
 #include "gyromode/models/parameters.h"
 #include "gyromode/models/reports.h"
 #include "gyromode/models/requests.h"
+#include "gyromode/models/sensitivities.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/spacecraft/spacecraft.h"
 #include "gyromode/sweep/campbell.h"
@@ -81,6 +82,11 @@ struct Model {
   /// "values".
   /// @throws InvalidArgument where a key names no parameter
   CriticalMap critical_speeds_over(const ParameterAxis& axis, const CriticalOptions& options = {}, const Progress& progress = {}) const;
+  /// ∂ω/∂p of modes with shapes, by the keys of parameters, all that are listed where there are none. @throws
+  /// InvalidArgument for a key that names none
+  std::vector<Sensitivity> sensitivities(const std::vector<Mode>& modes, const std::vector<std::string>& keys = {}) const;
+  /// ∂Ω/∂p of critical speeds. @throws likewise
+  std::vector<Sensitivity> sensitivities(const CriticalSpeeds& found, const std::vector<std::string>& keys = {}) const;
   /// Frequencies over the spin, followed as branches, with their encounters and the intersections with excitations.
   /// @throws NotApplicable for models that do not say how they depend on the spin
   Campbell campbell(const CampbellOptions& options) const;

@@ -60,6 +60,13 @@ std::shared_ptr<const ModelKind> ModelKind::with(const std::vector<ParameterValu
   throw InvalidArgument(fmt::format("'{}' is no parameter: this kind of model has none", values.empty() ? "" : values.front().key));
 }
 
+std::vector<Matrix> ModelKind::matrices_with(const std::vector<ParameterValue>& values) const {
+  std::vector<Matrix> all;
+  const auto changed = with(values);
+  for (const NamedMatrix& m : changed->matrices()) all.push_back(*m.matrix);
+  return all;
+}
+
 std::shared_ptr<const ModelKind> ModelKind::discretised(std::optional<Index>) const {
   throw NotApplicable(
       "finite elements (--method discrete, --elements) serve models of parts, such as spacecraft; this one is made of matrices");

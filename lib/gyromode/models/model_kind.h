@@ -54,6 +54,9 @@ class ModelKind {
   /// What it says of itself to a sweep over its spin. Throws NotApplicable where it does not say how it depends on one.
   virtual SpinSource spin_source() const;
 
+  /// The key of its spin.
+  virtual std::string speed_key() const { return "spin"; }
+
   /// Values of the parameter `key` between a and b at which K is singular, so that divergence may begin or end: all of
   /// them where they are known of a kind of model, else none.
   virtual std::vector<double> divergence_thresholds(std::string_view key, double a, double b) const;
@@ -77,6 +80,8 @@ class ModelKind {
     const Matrix* matrix = nullptr;
   };
   virtual std::vector<NamedMatrix> matrices() const { return {}; }
+  /// The matrices of the same model with other values of its parameters. Throws as with().
+  virtual std::vector<Matrix> matrices_with(const std::vector<ParameterValue>& values) const;
   /// What was left out, of a model without its weak couplings.
   virtual std::optional<IgnoredCouplings> left_out() const { return std::nullopt; }
   /// The same model in finite elements.

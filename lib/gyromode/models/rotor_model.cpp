@@ -102,6 +102,15 @@ std::shared_ptr<const ModelKind> RotorModel::with(const std::vector<ParameterVal
   return std::make_shared<RotorModel>(Rotor(std::move(parts)));
 }
 
+// Without the checks and the certificates of a model, where no coordinate is condensed.
+std::vector<Matrix> RotorModel::matrices_with(const std::vector<ParameterValue>& values) const {
+  if (!massless().empty()) return ModelKind::matrices_with(values);
+  RotorParts parts = rotor_.parts();
+  set_parameters(Numbers{parts}, values);
+  SpinFamily f = assembled(Rotor(parts));
+  return {std::move(f.mass), parts.speed * f.gyroscopic_per_spin, std::move(f.stiffness)};
+}
+
 std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> RotorModel::without_couplings(double tolerance) const {
   return made()->without_couplings(tolerance);
 }

@@ -18,8 +18,10 @@ class RotorModel : public DelegatingModel {
   std::vector<std::string> doubts(bool fixed_axes) const override;
   CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
   SpinSource spin_source() const override;
+  std::string speed_key() const override { return "speed"; }
   std::vector<Parameter> parameters() const override;
   std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
+  std::vector<Matrix> matrices_with(const std::vector<ParameterValue>& values) const override;
   std::pair<std::shared_ptr<const ModelKind>, IgnoredCouplings> without_couplings(double tolerance) const override;
 
  private:

@@ -40,6 +40,17 @@ std::vector<double> ModesResult::frequencies() const {
   return all;
 }
 
+void ModesResult::drop_shapes() {
+  for (std::vector<Mode>* list : {&modes, &negative_modes}) {
+    for (Mode& m : *list) {
+      m.shape.resize(0);
+      m.field.clear();
+    }
+  }
+  for (UnstableMode& u : unstable) u.shape.resize(0);
+  outlines.clear();
+}
+
 ComplexMatrix ModesResult::shapes() const {
   if (modes.empty()) return ComplexMatrix(0, 0);
   ComplexMatrix all(modes.front().shape.size(), static_cast<Index>(modes.size()));

@@ -117,6 +117,8 @@ struct ModesResult {
   /// The shapes of the modes, n × (number of modes), in the order of the labels. @throws InvalidArgument where they
   /// were not asked for
   ComplexMatrix shapes() const;
+  /// Leaves out shapes and displacements.
+  void drop_shapes();
   /// Makes the verdict `unknown` where it is milder and a repair is doubtful (Repair::doubtful()).
   void withhold_doubtful_verdict();
   /// What is to be said of windows that were moved, and of more modes than the `lowest` asked for, for people.

@@ -67,12 +67,12 @@ class Search {
 };
 
 // The square of the distance, or of the growth of the roots that have met: smooth through the collision.
-double signed_square(const Pair& p, double near) {
+double signed_square(const Pair& p, double about) {
   if (p.both()) return p.distance() * p.distance();
   double growth = 0, best = infinity;
   for (const UnstableMode& u : p.point->sample.unstable) {
-    if (!u.flutter() || std::abs(u.omega - near) >= best) continue;
-    best = std::abs(u.omega - near);
+    if (!u.flutter() || std::abs(u.omega - about) >= best) continue;
+    best = std::abs(u.omega - about);
     growth = u.growth_rate;
   }
   return -4 * growth * growth;
@@ -169,8 +169,8 @@ void Search::veering(Index i, Index k, Pair lo, Pair hi) {
 
 // The spin between a pair on the axis and one off it at which it leaves.
 double Search::onset(Index i, Index k, Pair on, Pair off) {
-  const double near = on.mean();
-  double f_on = signed_square(on, near), f_off = signed_square(off, near);
+  const double about = on.mean();
+  double f_on = signed_square(on, about), f_off = signed_square(off, about);
   for (int step = 0; step < most_steps; ++step) {
     double t = (on.spin() * f_off - off.spin() * f_on) / (f_off - f_on);
     const double width = std::abs(off.spin() - on.spin());
@@ -179,7 +179,7 @@ double Search::onset(Index i, Index k, Pair on, Pair off) {
     if (t == on.spin() || t == off.spin() || width <= 1e-12 * std::max(std::abs(on.spin()), std::abs(off.spin()))) break;
     const Pair now = at(t, i, k);
     (now.both() ? on : off) = now;
-    (now.both() ? f_on : f_off) = signed_square(now, near);
+    (now.both() ? f_on : f_off) = signed_square(now, about);
   }
   return 0.5 * (on.spin() + off.spin());
 }

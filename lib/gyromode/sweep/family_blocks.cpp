@@ -7,6 +7,7 @@
 #include "gyromode/lapack/symmetric.h"
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/sweep/family_structure.h"
+#include "gyromode/sweep/quadrature_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@
 namespace gyromode {
 
 namespace {
-
-constexpr Complex j(0, 1);
 
 // A Hermitian matrix re + j im; im is empty where it is real.
 struct Hermitian {
@@ -47,20 +46,6 @@ Matrix definite_factor(const Matrix& k, const Matrix& m, double reach) {
     if (c.positive()) return c.lower();
   }
   throw NotApplicable("no combination K + τM of the family is positive definite");
-}
-
-// A symmetric matrix a, or j times a skew one, as T* · T with T = diag(1, −j): real by a partition.
-Hermitian in_phases(const Matrix& a, bool skew, const std::vector<bool>& quadrature, bool partition) {
-  const Index n = a.rows();
-  if (!partition) return skew ? Hermitian{Matrix::Zero(n, n), a} : Hermitian{a, {}};
-  if (!skew) return {a, {}};
-  Matrix re = a;
-  for (Index col = 0; col < n; ++col) {
-    for (Index row = 0; row < n; ++row) {
-      if (!quadrature[static_cast<std::size_t>(col)]) re(row, col) = -re(row, col);
-    }
-  }
-  return {re, {}};
 }
 
 void congruence(const Matrix& lower, Hermitian& h) {
@@ -106,7 +91,7 @@ Element decomposed(const std::vector<Hermitian>& generators, double ratio) {
     auto real = lapack::symmetric_eigen(std::move(re));
     e = {std::move(real.values), real.vectors.cast<Complex>()};
   } else {
-    e = lapack::hermitian_eigen(re.cast<Complex>() + j * im.cast<Complex>());
+    e = lapack::hermitian_eigen(re.cast<Complex>() + imaginary_unit * im.cast<Complex>());
   }
   e.values /= e.values.cwiseAbs().maxCoeff();
   // Positions of the first eigenvector of every cluster, and its gap.
@@ -157,7 +142,7 @@ std::vector<Index> coupled(const Element& e, const std::vector<Hermitian>& gener
   const Index n = e.vectors.rows();
   for (const Hermitian& g : generators) {
     ComplexMatrix c = e.vectors.adjoint() * (g.re * e.vectors);
-    if (g.im.size() > 0) c += j * (e.vectors.adjoint() * (g.im * e.vectors));
+    if (g.im.size() > 0) c += imaginary_unit * (e.vectors.adjoint() * (g.im * e.vectors));
     for (Index col = 0; col < c.cols(); ++col) {
       const auto to = static_cast<std::size_t>(e.cluster[static_cast<std::size_t>(col)]);
       for (Index row = 0; row < col; ++row) {
@@ -182,16 +167,14 @@ FamilyBlocks::FamilyBlocks(const SpinFamily& family, double reach) {
 void FamilyBlocks::add_part(const SpinFamily& f, double reach, const std::vector<Index>& coordinates,
                             const std::vector<Index>& in_quadrature, bool partition) {
   const Index n = static_cast<Index>(coordinates.size());
-  std::vector<bool> quadrature(coordinates.size());
-  for (std::size_t i = 0; i < coordinates.size(); ++i)
-    quadrature[i] = partition && std::binary_search(in_quadrature.begin(), in_quadrature.end(), coordinates[i]);
+  const QuadratureAxes axes(coordinates, partition ? in_quadrature : std::vector<Index>{});
   const auto own = [&](const Matrix& a) { return Matrix(a(coordinates, coordinates)); };
 
   const Matrix mass = own(f.mass), lower = definite_factor(own(f.stiffness), mass, reach);
   std::vector<Hermitian> generators{{mass, {}}};
   if (f.stiffness_per_spin2.size() > 0) generators.push_back({own(f.stiffness_per_spin2), {}});
   for (const Matrix* g : {&f.gyroscopic, &f.gyroscopic_per_spin}) {
-    if (g->size() > 0) generators.push_back(in_phases(own(*g), true, quadrature, partition));
+    if (g->size() > 0) generators.push_back(partition ? Hermitian{axes.crossed(own(*g)), {}} : Hermitian{Matrix::Zero(n, n), own(*g)});
   }
   for (Hermitian& g : generators) congruence(lower, g);
   std::erase_if(generators, [](const Hermitian& g) { return !(norm_of(g) > 0); });
@@ -200,11 +183,7 @@ void FamilyBlocks::add_part(const SpinFamily& f, double reach, const std::vector
   const std::vector<Index> set = coupled(e, generators);
   const Index p = e.vectors.cols();
   Part part{coordinates, {}, std::vector<Index>(static_cast<std::size_t>(p))};
-  ComplexMatrix rows = e.vectors.adjoint() * lower.transpose();
-  for (Index i = 0; i < n; ++i) {
-    if (quadrature[static_cast<std::size_t>(i)]) rows.col(i) *= j;  // T* = diag(1, j)
-  }
-  part.rows = std::move(rows);
+  part.rows = axes.given(lower * e.vectors).adjoint();  // UᴴLᵀT* = (TLU)ᴴ
   std::vector<Index> number(static_cast<std::size_t>(p), -1);
   for (std::size_t k = 0; k < part.block.size(); ++k) {
     Index& b = number[static_cast<std::size_t>(set[k])];

@@ -20,8 +20,6 @@ namespace gyromode {
 
 namespace {
 
-constexpr Complex j(0, 1);
-
 // μ and vectors of B v = μ K v, K positive definite.
 struct Definite {
   Vector mu;
@@ -34,14 +32,15 @@ Definite definite_eigen(const Matrix& k, const Matrix& re, const Matrix& im) {
     return {e.values, e.vectors.cast<Complex>()};
   }
   const Matrix l = lapack::Cholesky(k).lower();
-  const ComplexMatrix b = re.cast<Complex>() + j * im.cast<Complex>();
+  const ComplexMatrix b = re.cast<Complex>() + imaginary_unit * im.cast<Complex>();
   const auto lower = l.triangularView<Eigen::Lower>();
-  ComplexMatrix c = lower.solve(b.real().eval()).cast<Complex>() + j * lower.solve(b.imag().eval()).cast<Complex>();
+  ComplexMatrix c = lower.solve(b.real().eval()).cast<Complex>() + imaginary_unit * lower.solve(b.imag().eval()).cast<Complex>();
   c = c.adjoint().eval();
-  c = lower.solve(c.real().eval()).cast<Complex>() + j * lower.solve(c.imag().eval()).cast<Complex>();
+  c = lower.solve(c.real().eval()).cast<Complex>() + imaginary_unit * lower.solve(c.imag().eval()).cast<Complex>();
   const auto e = lapack::hermitian_eigen(ComplexMatrix(0.5 * (c + c.adjoint())));
   const auto upper = l.transpose().triangularView<Eigen::Upper>();
-  const ComplexMatrix x = upper.solve(e.vectors.real().eval()).cast<Complex>() + j * upper.solve(e.vectors.imag().eval()).cast<Complex>();
+  const ComplexMatrix x =
+      upper.solve(e.vectors.real().eval()).cast<Complex>() + imaginary_unit * upper.solve(e.vectors.imag().eval()).cast<Complex>();
   return {e.values, x};
 }
 
@@ -53,9 +52,7 @@ bool at_infinity(double mu, double largest, Index n) { return std::abs(mu) <= 8 
 // (T13) with the rows and columns of T = diag(1, −j): entries between the groups are ∓mG₁.
 SpeedPencil::SpeedPencil(const SpinFamily& f, double m, const std::vector<Index>& coordinates, const std::vector<Index>& in_quadrature,
                          bool partition)
-    : coordinates_(coordinates), quadrature_(coordinates.size(), false), real_(partition) {
-  for (std::size_t i = 0; i < coordinates.size(); ++i)
-    quadrature_[i] = partition && std::binary_search(in_quadrature.begin(), in_quadrature.end(), coordinates[i]);
+    : coordinates_(coordinates), axes_(coordinates, partition ? in_quadrature : std::vector<Index>{}), real_(partition) {
   const auto part = [&](const Matrix& a) -> Matrix {
     return a.size() > 0 ? Matrix(a(coordinates, coordinates))
                         : Matrix::Zero(static_cast<Index>(coordinates.size()), static_cast<Index>(coordinates.size()));
@@ -67,29 +64,7 @@ SpeedPencil::SpeedPencil(const SpinFamily& f, double m, const std::vector<Index>
     im_ = g;
     return;
   }
-  for (Index a = 0; a < re_.rows(); ++a) {
-    for (Index b = 0; b < re_.cols(); ++b) {
-      if (quadrature_[static_cast<std::size_t>(a)] == quadrature_[static_cast<std::size_t>(b)]) continue;
-      // t̄_a (j g) t_b with t = 1 or −j
-      re_(a, b) = quadrature_[static_cast<std::size_t>(b)] ? g(a, b) : -g(a, b);
-    }
-  }
-}
-
-ComplexVector SpeedPencil::in_own(const ComplexVector& shape) const {
-  ComplexVector x = shape;
-  for (Index i = 0; i < x.size(); ++i) {
-    if (quadrature_[static_cast<std::size_t>(i)]) x(i) *= j;
-  }
-  return x;
-}
-
-ComplexVector SpeedPencil::in_family(const ComplexVector& own) const {
-  ComplexVector x = own;
-  for (Index i = 0; i < x.size(); ++i) {
-    if (quadrature_[static_cast<std::size_t>(i)]) x(i) *= -j;
-  }
-  return x;
+  re_ += axes_.crossed(g);
 }
 
 std::vector<SpeedPencil::Root> SpeedPencil::roots() const {
@@ -100,7 +75,7 @@ std::vector<SpeedPencil::Root> SpeedPencil::roots() const {
   std::vector<Root> all;
   const auto add = [&](Complex nu, const ComplexVector& x) {
     ComplexVector own = x.cwiseProduct(d.cast<Complex>());
-    all.push_back({nu, in_family(own / own.norm())});
+    all.push_back({nu, axes_.given(own / own.norm())});
   };
   if (inertia.negative == 0) {
     // Z spans the null space of K₀, W the rest: there B' = B_ww − B_wzB_zz⁻¹B_zw.
@@ -109,7 +84,7 @@ std::vector<SpeedPencil::Root> SpeedPencil::roots() const {
     const Matrix basis = zeros > 0 ? small::orthogonal_factor(z) : Matrix::Identity(n, n);
     const Matrix w = basis.rightCols(n - zeros);
     ComplexMatrix b = re.cast<Complex>();
-    if (im.size() > 0) b += j * im.cast<Complex>();
+    if (im.size() > 0) b += imaginary_unit * im.cast<Complex>();
     ComplexMatrix of_w = w.transpose() * b * w, follow = ComplexMatrix::Zero(zeros, n - zeros);
     if (zeros > 0) {
       const ComplexMatrix zz = z.transpose() * b * z, zw = z.transpose() * b * w;
@@ -135,7 +110,7 @@ std::vector<SpeedPencil::Root> SpeedPencil::roots() const {
   if (im.size() == 0) {
     e = lapack::general_eigen(lapack::solve(factor, re));
   } else {
-    const ComplexMatrix c = lapack::solve(factor, re).cast<Complex>() + j * lapack::solve(factor, im).cast<Complex>();
+    const ComplexMatrix c = lapack::solve(factor, re).cast<Complex>() + imaginary_unit * lapack::solve(factor, im).cast<Complex>();
     e = lapack::general_eigen(c);
   }
   const double largest = e.values.cwiseAbs().maxCoeff();
@@ -147,7 +122,7 @@ std::vector<SpeedPencil::Root> SpeedPencil::roots() const {
 
 Inertia SpeedPencil::inertia_at(double nu) const {
   if (real_) return inertia(Matrix(stiffness_ - nu * re_));
-  return inertia(ComplexMatrix((stiffness_ - nu * re_).cast<Complex>() - (nu * j) * im_.cast<Complex>()));
+  return inertia(ComplexMatrix((stiffness_ - nu * re_).cast<Complex>() - (nu * imaginary_unit) * im_.cast<Complex>()));
 }
 
 Index SpeedPencil::negative_at_zero() const {
@@ -155,39 +130,39 @@ Index SpeedPencil::negative_at_zero() const {
   if (k.zero == 0) return k.negative;
   const Matrix& z = k.null_space;
   ComplexMatrix b = (z.transpose() * re_ * z).cast<Complex>();
-  if (!real_) b += j * (z.transpose() * im_ * z).cast<Complex>();
+  if (!real_) b += imaginary_unit * (z.transpose() * im_ * z).cast<Complex>();
   return k.negative + static_cast<Index>((small::hermitian_eigenvalues(b).array() > 0).count());  // −νB there
 }
 
 ComplexVector SpeedPencil::times(double nu, const ComplexVector& own) const {
   ComplexVector product = (stiffness_ - nu * re_) * own;
-  if (!real_) product -= (nu * j) * (im_ * own);
+  if (!real_) product -= (nu * imaginary_unit) * (im_ * own);
   return product;
 }
 
 SpeedPencil::Root SpeedPencil::polished(const Root& root) const {
-  ComplexVector x = in_own(root.shape);
+  ComplexVector x = axes_.own(root.shape);
   double nu = root.nu.real();
   const auto quotient = [&] {
-    const double bottom = std::real(x.dot(re_ * x)) + (real_ ? 0 : std::real(x.dot(j * (im_ * x))));
+    const double bottom = std::real(x.dot(re_ * x)) + (real_ ? 0 : std::real(x.dot(imaginary_unit * (im_ * x))));
     const double top = std::real(x.dot(stiffness_ * x));
     return bottom != 0 ? top / bottom : nu;
   };
   nu = quotient();
-  for (int step = 0; step < 2 && !(residual({nu, in_family(x)}) <= rounding_unit(x.size())); ++step) {
+  for (int step = 0; step < 2 && !(residual({nu, axes_.given(x)}) <= rounding_unit(x.size())); ++step) {
     ComplexVector b = re_ * x;
-    if (!real_) b += j * (im_ * x);
+    if (!real_) b += imaginary_unit * (im_ * x);
     ComplexVector next;
     if (real_) {
       const auto factor = lapack::factor_indefinite(Matrix(stiffness_ - nu * re_));
       Matrix parts(b.size(), 2);
       parts << b.real(), b.imag();
       parts = lapack::solve(factor, parts);
-      next = parts.col(0).cast<Complex>() + j * parts.col(1).cast<Complex>();
+      next = parts.col(0).cast<Complex>() + imaginary_unit * parts.col(1).cast<Complex>();
     } else {
-      next =
-          lapack::solve(lapack::factor_indefinite(ComplexMatrix((stiffness_ - nu * re_).cast<Complex>() - (nu * j) * im_.cast<Complex>())),
-                        ComplexMatrix(b));
+      next = lapack::solve(
+          lapack::factor_indefinite(ComplexMatrix((stiffness_ - nu * re_).cast<Complex>() - (nu * imaginary_unit) * im_.cast<Complex>())),
+          ComplexMatrix(b));
     }
     if (!next.allFinite() || !(next.norm() > 0)) break;  // at the root to the last bit
     const ComplexVector before = x;
@@ -200,11 +175,11 @@ SpeedPencil::Root SpeedPencil::polished(const Root& root) const {
       break;
     }
   }
-  return {nu, in_family(x)};
+  return {nu, axes_.given(x)};
 }
 
 double SpeedPencil::residual(const Root& root) const {
-  const ComplexVector x = in_own(root.shape);
+  const ComplexVector x = axes_.own(root.shape);
   const double nu = root.nu.real();
   const auto norm = [](const Matrix& a) { return a.size() > 0 ? a.cwiseAbs().colwise().sum().maxCoeff() : 0.0; };
   return times(nu, x).norm() / ((norm(stiffness_) + std::abs(nu) * (norm(re_) + norm(im_))) * x.norm());
@@ -212,13 +187,13 @@ double SpeedPencil::residual(const Root& root) const {
 
 // To first order: the residual as it is, and a rounding of every entry, over |xᴴBx|.
 double SpeedPencil::error_of(const Root& root) const {
-  const ComplexVector x = in_own(root.shape);
+  const ComplexVector x = axes_.own(root.shape);
   const double nu = root.nu.real();
   const Vector size = x.cwiseAbs();
   double form = std::real(x.dot(re_ * x));
   Matrix terms = re_.cwiseAbs();
   if (!real_) {
-    form += std::real(x.dot(j * (im_ * x)));
+    form += std::real(x.dot(imaginary_unit * (im_ * x)));
     terms += im_.cwiseAbs();
   }
   const double rounding = backward_error(size.size()) * size.dot((stiffness_.cwiseAbs() + std::abs(nu) * terms) * size);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gyromode/spectrum/inertia.h"
+#include "gyromode/sweep/quadrature_axes.h"
 #include "gyromode/system/spin_family.h"
 
 #include <vector>
@@ -33,12 +34,10 @@ class SpeedPencil {
   const std::vector<Index>& coordinates() const { return coordinates_; }
 
  private:
-  ComplexVector in_own(const ComplexVector& shape) const;
-  ComplexVector in_family(const ComplexVector& own) const;
   ComplexVector times(double nu, const ComplexVector& own) const;
 
   std::vector<Index> coordinates_;
-  std::vector<bool> quadrature_;
+  QuadratureAxes axes_;
   bool real_ = false;
   Matrix stiffness_, re_, im_;  // K₀, Re B, Im B (0 × 0 where real)
 };

@@ -9,28 +9,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace gyromode {
 
 namespace {
 
-constexpr Complex j(0, 1);
-
-// T* (jG) T, T = diag(1, −j): real by the partition.
-Matrix cross(const Matrix& g, const std::vector<bool>& quadrature) {
-  Matrix b = g;
-  for (Index col = 0; col < g.cols(); ++col) {
-    if (!quadrature[static_cast<std::size_t>(col)]) b.col(col) *= -1;
-  }
-  return b;
-}
-
 // T* x, up to a phase real for the shapes of a partition: the larger of its two parts.
-Vector in_phases(const ComplexVector& shape, const std::vector<bool>& quadrature) {
-  ComplexVector x = shape;
-  for (Index i = 0; i < x.size(); ++i) {
-    if (quadrature[static_cast<std::size_t>(i)]) x(i) *= j;
-  }
+Vector in_phases(const ComplexVector& shape, const QuadratureAxes& axes) {
+  const ComplexVector x = axes.own(shape);
   return x.real().squaredNorm() >= x.imag().squaredNorm() ? Vector(x.real()) : Vector(x.imag());
 }
 
@@ -48,11 +35,12 @@ bool ReducedFamily::take(const SpinFamily& f) {
   const Structure structure = structure_of(f);
   if (structure.system_class() != SystemClass::quadrature) return false;
   const Index n = f.mass.rows();
-  quadrature_.assign(static_cast<std::size_t>(n), false);
-  for (const Index i : structure.in_quadrature()) quadrature_[static_cast<std::size_t>(i)] = true;
+  std::vector<Index> all(static_cast<std::size_t>(n));
+  std::iota(all.begin(), all.end(), Index{0});
+  axes_ = QuadratureAxes(all, structure.in_quadrature());
   stiffness_ = 0.5 * (f.stiffness + f.stiffness.transpose());
   mass_ = 0.5 * (f.mass + f.mass.transpose());
-  const auto part = [&](const Matrix& g) { return g.size() > 0 ? cross(0.5 * (g - g.transpose()), quadrature_) : Matrix::Zero(n, n); };
+  const auto part = [&](const Matrix& g) { return g.size() > 0 ? axes_.crossed(0.5 * (g - g.transpose())) : Matrix::Zero(n, n); };
   constant_ = part(f.gyroscopic);
   per_spin_ = part(f.gyroscopic_per_spin);
   factor_ = lapack::Cholesky(stiffness_);
@@ -96,7 +84,7 @@ std::optional<ReducedFamily> ReducedFamily::from(std::shared_ptr<const SpinFamil
   for (const SpinSample& s : solved) {
     for (const SampledMode& m : s.modes) {
       if (!blocks.is_pure(m.shape)) continue;
-      shapes[m.block].push_back(in_phases(m.shape, r.quadrature_));
+      shapes[m.block].push_back(in_phases(m.shape, r.axes_));
       r.rounding_.emplace_back(m.omega, m.error / m.omega);
     }
   }
@@ -161,10 +149,8 @@ SampledMode ReducedFamily::sampled(const Root& root, double spin, double apart) 
   const Vector x = b.basis * y;
   Index at = 0;
   x.cwiseAbs().maxCoeff(&at);
-  m.shape.resize(x.size());
-  // T x with the phase that makes the largest entry 1
-  const Complex scale = quadrature_[static_cast<std::size_t>(at)] ? j / x(at) : Complex(1 / x(at));
-  for (Index i = 0; i < x.size(); ++i) m.shape(i) = x(i) * scale * (quadrature_[static_cast<std::size_t>(i)] ? -j : Complex(1));
+  m.shape = axes_.given(x.cast<Complex>());
+  m.shape /= Complex(m.shape(at));
   m.whirl = whirl_of(m.shape, places_);
   return m;
 }

@@ -2,6 +2,7 @@
 
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/sweep/family_blocks.h"
+#include "gyromode/sweep/quadrature_axes.h"
 #include "gyromode/sweep/spin_sample.h"
 
 #include <optional>
@@ -51,7 +52,7 @@ class ReducedFamily {
   Matrix impedance(double omega, double spin) const;
 
   std::shared_ptr<const SpinFamily> family_;
-  std::vector<bool> quadrature_;
+  QuadratureAxes axes_;
   Matrix stiffness_, mass_, constant_, per_spin_;  // K, M, B₀, B₁, n × n, real by T
   lapack::Cholesky factor_{Matrix()};              // of K
   std::vector<Block> blocks_;

@@ -3,6 +3,7 @@
 #include "gyromode/base/parallel.h"
 #include "gyromode/base/rounding.h"
 #include "gyromode/lapack/small.h"
+#include "gyromode/sweep/quadrature_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +14,12 @@ namespace gyromode {
 
 namespace {
 
-constexpr Complex j(0, 1);
-
 // Frequencies nearer than this may share their shapes with each other by rounding.
-constexpr double near = 1e-6;
+constexpr double shared = 1e-6;
 
 ComplexMatrix times(const Matrix& a, const ComplexMatrix& x) {
   if (a.size() == 0) return ComplexMatrix::Zero(x.rows(), x.cols());
-  return (a * x.real()).cast<Complex>() + j * (a * x.imag()).cast<Complex>();
+  return (a * x.real()).cast<Complex>() + imaginary_unit * (a * x.imag()).cast<Complex>();
 }
 
 // What a family has at one place (ω, Ω), applied to shapes.
@@ -31,15 +30,15 @@ struct Place {
   ComplexMatrix gyroscopic(const ComplexMatrix& x) const { return times(f.gyroscopic, x) + spin * times(f.gyroscopic_per_spin, x); }
   /// H X
   ComplexMatrix impedance(const ComplexMatrix& x) const {
-    return times(f.stiffness, x) + spin * spin * times(f.stiffness_per_spin2, x) + (j * omega) * gyroscopic(x) -
+    return times(f.stiffness, x) + spin * spin * times(f.stiffness_per_spin2, x) + (imaginary_unit * omega) * gyroscopic(x) -
            omega * omega * times(f.mass, x);
   }
   /// ∂H/∂Ω X
   ComplexMatrix by_spin(const ComplexMatrix& x) const {
-    return 2 * spin * times(f.stiffness_per_spin2, x) + (j * omega) * times(f.gyroscopic_per_spin, x);
+    return 2 * spin * times(f.stiffness_per_spin2, x) + (imaginary_unit * omega) * times(f.gyroscopic_per_spin, x);
   }
   /// −∂H/∂ω X = (2ωM − jG) X
-  ComplexMatrix form(const ComplexMatrix& x) const { return 2 * omega * times(f.mass, x) - j * gyroscopic(x); }
+  ComplexMatrix form(const ComplexMatrix& x) const { return 2 * omega * times(f.mass, x) - imaginary_unit * gyroscopic(x); }
 };
 
 // Shapes of one block among those of one frequency, made those of single roots: ω + δ with (XᴴHX) c = δ (Xᴴ(2ωM − jG)X)
@@ -233,7 +232,7 @@ SpinSample SpinSampler::sample_of(double spin, const ModesResult& result) const 
   }
   for (std::size_t first = 0, past; first < all.size(); first = past) {
     past = first + 1;
-    while (past < all.size() && all[past]->omega - all[past - 1]->omega <= near * all[past]->omega) ++past;
+    while (past < all.size() && all[past]->omega - all[past - 1]->omega <= shared * all[past]->omega) ++past;
     const std::vector<const Mode*> cluster(all.begin() + static_cast<std::ptrdiff_t>(first),
                                            all.begin() + static_cast<std::ptrdiff_t>(past));
     const bool pure = !blocks_ || std::all_of(cluster.begin(), cluster.end(), [&](const Mode* m) { return blocks_->is_pure(m->shape); });

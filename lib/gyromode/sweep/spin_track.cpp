@@ -62,14 +62,14 @@ const SampledMode* SpinTrack::mode(const Point& point, Index branch) {
 }
 
 SpinTrack::Joined SpinTrack::join(const SpinSample& a, const SpinSample& b) {
-  Joined j{std::vector<Index>(b.modes.size(), -1), true};
+  Joined joined{std::vector<Index>(b.modes.size(), -1), true};
   const bool same = same_balance(a, b);
   const double step = b.spin - a.spin;
   auto before = lists_of(a);
   for (const auto& [key, to] : lists_of(b)) {
     const std::vector<Index>& from = before[key];
     if (same || from.size() == to.size()) {
-      for (std::size_t k = 0; k < std::min(from.size(), to.size()); ++k) j.from[static_cast<std::size_t>(to[k])] = from[k];
+      for (std::size_t k = 0; k < std::min(from.size(), to.size()); ++k) joined.from[static_cast<std::size_t>(to[k])] = from[k];
       if (same) continue;
     } else {
       const bool fewer = to.size() < from.size();
@@ -79,27 +79,27 @@ SpinTrack::Joined SpinTrack::join(const SpinSample& a, const SpinSample& b) {
       const std::vector<std::size_t> at = fewer ? best_order(to, from, cost) : best_order(from, to, cost);
       for (std::size_t k = 0; k < at.size(); ++k) {
         if (fewer)
-          j.from[static_cast<std::size_t>(to[k])] = from[at[k]];
+          joined.from[static_cast<std::size_t>(to[k])] = from[at[k]];
         else
-          j.from[static_cast<std::size_t>(to[at[k]])] = from[k];
+          joined.from[static_cast<std::size_t>(to[at[k]])] = from[k];
       }
     }
     // Sure where every root moves by much less than what is between it and the others: what veers is not torn apart.
     constexpr double part = 0.25;
     for (std::size_t k = 0; k < to.size(); ++k) {
       const SampledMode& m = b.modes[static_cast<std::size_t>(to[k])];
-      const Index source = j.from[static_cast<std::size_t>(to[k])];
+      const Index source = joined.from[static_cast<std::size_t>(to[k])];
       if (source < 0) continue;
       const double before_it = a.modes[static_cast<std::size_t>(source)].omega, moved = std::abs(m.omega - before_it);
       for (const Index other : from) {
-        if (other != source && !(moved < part * std::abs(a.modes[static_cast<std::size_t>(other)].omega - before_it))) j.sure = false;
+        if (other != source && !(moved < part * std::abs(a.modes[static_cast<std::size_t>(other)].omega - before_it))) joined.sure = false;
       }
       for (const Index other : to) {
-        if (other != to[k] && !(moved < part * std::abs(b.modes[static_cast<std::size_t>(other)].omega - m.omega))) j.sure = false;
+        if (other != to[k] && !(moved < part * std::abs(b.modes[static_cast<std::size_t>(other)].omega - m.omega))) joined.sure = false;
       }
     }
   }
-  return j;
+  return joined;
 }
 
 // Branches that leave the axis wait for roots of their block and sign that return to it.
@@ -188,16 +188,17 @@ bool SpinTrack::is_understood(const SpinSample& a, const SpinSample& b) {
   auto after = lists_of(b);
   for (const auto& [key, from] : lists_of(a)) {
     const std::vector<Index>& to = after[key];
+    const std::vector<Index>& list = from;  // structured bindings are not captured
     const std::size_t n = std::min(from.size(), to.size());
-    const auto mode_of = [&](const SpinSample& s, const std::vector<Index>& list, std::size_t k) -> const SampledMode& {
-      return s.modes[static_cast<std::size_t>(list[k])];
+    const auto mode_of = [](const SpinSample& s, const std::vector<Index>& among, std::size_t k) -> const SampledMode& {
+      return s.modes[static_cast<std::size_t>(among[k])];
     };
     const auto leads = [&](std::size_t i, std::size_t k) {
-      const SampledMode &x = mode_of(a, from, i), &y = mode_of(b, to, k);
+      const SampledMode &x = mode_of(a, list, i), &y = mode_of(b, to, k);
       if (!x.slope || !y.slope) return true;
       double room = infinity;
       for (std::size_t l = 0; l < n; ++l) {
-        if (l != i) room = std::min(room, std::abs(mode_of(a, from, l).omega - x.omega));
+        if (l != i) room = std::min(room, std::abs(mode_of(a, list, l).omega - x.omega));
         if (l != k) room = std::min(room, std::abs(mode_of(b, to, l).omega - y.omega));
       }
       return std::abs(y.omega - x.omega - step * (*x.slope + *y.slope) / 2) <= part * room + unresolved * (x.error + y.error);

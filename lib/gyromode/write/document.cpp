@@ -37,8 +37,13 @@ std::string written(std::string_view kind, const Model& model, const Result& res
 
 }  // namespace
 
-std::string document(const Model& model, const ModesResult& result, const Timings& timings, const Layout& layout, int version) {
-  return layout.format == Format::svg ? modes_svg(model, result) : written("modes", model, result, timings, layout, version);
+std::string document(const Model& model, const ModesResult& result, const Timings& timings, const Layout& layout, int version,
+                     const std::vector<Sensitivity>& sensitivities) {
+  if (layout.format == Format::svg) return modes_svg(model, result);
+  const std::unique_ptr<Writer> w = writer("modes", model, timings, layout, version);
+  describe(model, result, *w);
+  describe_sensitivities(sensitivities, result.frequencies(), *w);
+  return w->text();
 }
 std::string document(const Model& model, const CountResult& result, const Timings& timings, const Layout& layout) {
   return written("count", model, result, timings, layout);
@@ -46,8 +51,14 @@ std::string document(const Model& model, const CountResult& result, const Timing
 std::string document(const Model& model, const StructureReport& report, const Timings& timings, const Layout& layout) {
   return written("structure", model, report, timings, layout);
 }
-std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, const Layout& layout) {
-  return written("critical", model, speeds, timings, layout);
+std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, const Layout& layout,
+                     const std::vector<Sensitivity>& sensitivities) {
+  const std::unique_ptr<Writer> w = writer("critical", model, timings, layout, 1);
+  describe(model, speeds, *w);
+  std::vector<double> omega;
+  for (const CriticalSpeed& c : speeds.speeds) omega.push_back(c.speed);
+  describe_sensitivities(sensitivities, omega, *w);
+  return w->text();
 }
 std::string document(const Model& model, const Campbell& diagram, const Timings& timings, const Layout& layout) {
   return written("campbell", model, diagram, timings, layout);

@@ -44,12 +44,14 @@ std::vector<std::string> evidence(const ModesResult& result);
 /// A result as text in the format asked for; svg, a picture of the shapes, is for the modes of a spacecraft with
 /// shapes. JSON follows the public schemas (docs/results.md), 17 significant digits where needed. `version` of the
 /// schema gyromode/modes: 1, a shape with each mode; 2, shapes and displacements of all modes as one block.
-std::string document(const Model& model, const ModesResult& result, const Timings& timings, const Layout& layout, int version = 1);
+std::string document(const Model& model, const ModesResult& result, const Timings& timings, const Layout& layout, int version = 1,
+                     const std::vector<Sensitivity>& sensitivities = {});
 std::string document(const Model& model, const CountResult& result, const Timings& timings, const Layout& layout);
 std::string document(const Model& model, const StructureReport& report, const Timings& timings, const Layout& layout);
 std::string document(const Model& model, const ResponseReport& report, const Timings& timings, const Layout& layout);
 std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, const Layout& layout);
-std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, const Layout& layout);
+std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, const Layout& layout,
+                     const std::vector<Sensitivity>& sensitivities = {});
 std::string document(const Model& model, const Campbell& diagram, const Timings& timings, const Layout& layout);
 std::string document(const Model& model, const CriticalMap& map, const Timings& timings, const Layout& layout);
 std::string document(const Model& model, const StabilityReport& report, const Timings& timings, const Layout& layout);
