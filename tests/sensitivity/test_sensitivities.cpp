@@ -42,7 +42,8 @@ TEST(Sensitivities, OfEntriesAreThoseOf100Digits) {
   double worst = 0;
   for (int draw = 0; draw < draws; ++draw) {
     const Index n = source.integer(2, 5);
-    const double mass = std::ldexp(1.0, static_cast<int>(source.integer(-30, 30))), time = std::ldexp(1.0, static_cast<int>(source.integer(-30, 30)));
+    const double mass = std::ldexp(1.0, static_cast<int>(source.integer(-30, 30))),
+                 time = std::ldexp(1.0, static_cast<int>(source.integer(-30, 30)));
     Matrix m = source.symmetric(n, 0), g = source.skew(n), k = source.symmetric(n, draw % 3 == 0 ? 1 : 0);
     if (draw % 2 == 0) support::make_quadrature(m, g, k);
     if (draw % 5 == 0) g *= 30;
@@ -60,8 +61,8 @@ TEST(Sensitivities, OfEntriesAreThoseOf100Digits) {
           const auto found = model.sensitivities(r.modes, {key});
           ASSERT_EQ(found.size(), 1U);
           for (std::size_t q = 0; q < r.modes.size(); ++q) {
-            const double exact = reference::slope_of_root(s.mass(), s.gyroscopic(), s.stiffness(), name[0] == 'm' ? e : zero, skew ? e : zero,
-                                                          name[0] == 's' ? e : zero, r.modes[q].omega);
+            const double exact = reference::slope_of_root(s.mass(), s.gyroscopic(), s.stiffness(), name[0] == 'm' ? e : zero,
+                                                          skew ? e : zero, name[0] == 's' ? e : zero, r.modes[q].omega);
             // The largest that an entry of this size can do is the scale of what cancels in the form of a shape.
             const ComplexVector& x = r.modes[q].shape;
             const double power = name[0] == 'm' ? r.modes[q].omega * r.modes[q].omega : skew ? r.modes[q].omega : 1;
@@ -99,8 +100,8 @@ TEST(Sensitivities, OfRotorsScale) {
       for (const Sensitivity& s : all) {
         const std::string& key = s.parameter.key;
         if (s.parameter.value == 0 || std::isnan(s.slope[k])) continue;
-        const bool stiff = key.ends_with("young") || key.ends_with("shear") || key.find(".k") != std::string::npos || key.find(".tilt_") != std::string::npos ||
-                           key.find("housing_k") != std::string::npos || key == "axial_force";
+        const bool stiff = key.ends_with("young") || key.ends_with("shear") || key.find(".k") != std::string::npos ||
+                           key.find(".tilt_") != std::string::npos || key.find("housing_k") != std::string::npos || key == "axial_force";
         if (stiff) stiffness += s.relative(k, r.modes[k].omega);
         if (key == "speed") speed = s.relative(k, r.modes[k].omega);
         if (stiff || key == "speed") open += std::abs(s.error[k] * s.parameter.value / r.modes[k].omega);

@@ -38,9 +38,7 @@ class Impedances {
   virtual std::optional<Derivatives> at(double omega, const ComplexMatrix& x) = 0;
 };
 
-ComplexMatrix times(const Matrix& a, const ComplexMatrix& x) {
-  return (a * x.real()).cast<Complex>() + j * (a * x.imag()).cast<Complex>();
-}
+ComplexMatrix times(const Matrix& a, const ComplexMatrix& x) { return (a * x.real()).cast<Complex>() + j * (a * x.imag()).cast<Complex>(); }
 
 // H = K + jωG − ω²M; of first order ωI − jG.
 class OfMatrices : public Impedances {
@@ -69,8 +67,7 @@ class OfMatrices : public Impedances {
       return Derivatives{w * times(slopes_[0].value, x) - j * times(slopes_[1].value, x), -times(a[0], x),
                          w * slopes_[0].error + slopes_[1].error};
     return Derivatives{times(slopes_[2].value, x) + (j * w) * times(slopes_[1].value, x) - w * w * times(slopes_[0].value, x),
-                       2 * w * times(a[0], x) - j * times(a[1], x),
-                       slopes_[2].error + w * slopes_[1].error + w * w * slopes_[0].error};
+                       2 * w * times(a[0], x) - j * times(a[1], x), slopes_[2].error + w * slopes_[1].error + w * w * slopes_[0].error};
   }
   const std::vector<Index>& kept() const { return kept_; }
 
@@ -148,8 +145,8 @@ bool is_part_of_another(const std::vector<Parameter>& all, const std::string& ke
          (!whole.ends_with(']') || key == whole + whole.substr(whole.rfind('[')));
 }
 
-// A key with [*] is one parameter where all that it names have one value, else each of them. Of a spacecraft, which has no
-// equilibrium where one boom of several changes, equal parts change together unless their keys are given.
+// A key with [*] is one parameter where all that it names have one value, else each of them. Of a spacecraft, which has
+// no equilibrium where one boom of several changes, equal parts change together unless their keys are given.
 std::vector<Parameter> parameters_of(const ModelKind& model, const std::vector<std::string>& keys) {
   std::vector<Parameter> listed = model.named_parameters(), chosen;
   if (listed.empty() || !keys.empty()) listed = model.parameters();

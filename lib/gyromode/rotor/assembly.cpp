@@ -1,5 +1,4 @@
-#include "gyromode/rotor/rotor.h"
-#include "gyromode/rotor/shaft_element.h"
+#include "gyromode/rotor/pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,34 +68,6 @@ class Matrices {
   Matrix mass, gyroscopic, stiffness;
 };
 
-void add_shafts(const Rotor& r, Matrices& to) {
-  std::vector<double> ends;
-  for (const Spool& s : r.spools()) ends.push_back(s.start);
-  for (const ShaftSection& s : r.parts().shafts) {
-    const std::size_t spool = r.spool_named(s.spool);
-    const double start = ends[spool], end = start + s.length;
-    ends[spool] = end;
-    const auto section_at = [&](double z) {
-      const double t = std::clamp((z - start) / s.length, 0.0, 1.0);
-      return CrossSection{(1 - t) * s.outer_diameter[0] + t * s.outer_diameter[1], (1 - t) * s.inner_diameter[0] + t * s.inner_diameter[1]};
-    };
-    const Station* before = nullptr;
-    for (const Station& station : r.stations()) {
-      if (station.spool != spool || station.position < start - r.tolerance() || station.position > end + r.tolerance()) continue;
-      if (before) {
-        const ShaftPiece piece{r.material_named(s.material),
-                               station.position - before->position,
-                               section_at(before->position),
-                               section_at(station.position),
-                               s.theory,
-                               s.shear_coefficient};
-        to.add(*before, station, shaft_element(piece), r.spools()[spool].speed_ratio, r.parts().axial_force);
-      }
-      before = &station;
-    }
-  }
-}
-
 void add_disc(const Rotor& r, const Disc& d, Matrices& to) {
   const std::size_t spool = r.spool_named(d.spool);
   double mass = d.mass, polar = d.polar_inertia, diametral = d.diametral_inertia;
@@ -133,14 +104,32 @@ void add_bearing(const Rotor& r, std::size_t which, Matrices& to) {
 
 }  // namespace
 
-SpinFamily assembled(const Rotor& r) {
-  Matrices all(r);
-  add_shafts(r, all);
+namespace {
+
+void add_what_they_carry(const Rotor& r, Matrices& all) {
   for (const Disc& d : r.parts().discs) add_disc(r, d, all);
   for (const PointMass& m : r.parts().point_masses) all.add(r.station_at(r.spool_named(m.spool), m.position), m.mass, 0, 0, 0, 0);
   for (std::size_t k = 0; k < r.parts().bearings.size(); ++k) add_bearing(r, k, all);
+}
+
+SpinFamily family_of(const Rotor& r, Matrices all) {
   const Index n = r.size();
   return {std::move(all.mass), Matrix::Zero(n, n), std::move(all.gyroscopic), std::move(all.stiffness), {}, r.labels(), {}};
+}
+
+}  // namespace
+
+SpinFamily assembled(const Rotor& r) {
+  Matrices all(r);
+  each_piece(r, [&](const PieceBetween& p) { all.add(p.lower, p.upper, shaft_element(p.piece), p.speed_ratio, r.parts().axial_force); });
+  add_what_they_carry(r, all);
+  return family_of(r, std::move(all));
+}
+
+SpinFamily assembled_without_shafts(const Rotor& r) {
+  Matrices all(r);
+  add_what_they_carry(r, all);
+  return family_of(r, std::move(all));
 }
 
 }  // namespace gyromode

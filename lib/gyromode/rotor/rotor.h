@@ -81,5 +81,7 @@ class Rotor {
 
 /// Mass, gyroscopic matrix per speed, and stiffness: G(Ω) = ΩG₁, n × n, in fixed axes.
 SpinFamily assembled(const Rotor& rotor);
+/// The same of discs, point masses and bearings alone.
+SpinFamily assembled_without_shafts(const Rotor& rotor);
 
 }  // namespace gyromode

@@ -10,8 +10,8 @@ namespace gyromode {
 
 /// A matrix function of one parameter: its derivative, and what is open of it.
 struct MatrixSlope {
-  Matrix value;     ///< ∂A/∂p
-  Matrix error;     ///< entry by entry: of the truncation, by a stencil of lower order, and of rounding
+  Matrix value;  ///< ∂A/∂p
+  Matrix error;  ///< entry by entry: of the truncation, by a stencil of lower order, and of rounding
 };
 
 /// M, G and K of a model with the parameter at a value; may throw LawBroken, or return matrices of another order.
@@ -22,7 +22,8 @@ using MatricesAt = std::function<ParameterMatrices(double value)>;
 
 /// Derivatives of all of them at a value by central differences of eighth order, over ±4 steps of a fiftieth of the
 /// value; of a value of 0 the step is what changes an entry by 10⁻⁴ of the largest. Shorter steps are taken where the
-/// model is lawful only for them, or where they leave less open. Nothing where it never is, or where the order of the matrices changes with the parameter.
+/// model is lawful only for them, or where they leave less open. Nothing where it never is, or where the order of the
+/// matrices changes with the parameter.
 std::optional<std::vector<MatrixSlope>> parameter_slopes(const MatricesAt& at, double value);
 
 /// Roots of one frequency: their change with a parameter, to first order.
