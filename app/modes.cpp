@@ -23,6 +23,7 @@ struct Options {
   std::optional<Index> lowest;
   bool all = false;
   bool shapes = false;
+  bool participation = false;
   std::string method = "auto";
   std::optional<Index> elements;
   std::string keep;
@@ -56,17 +57,19 @@ ExitCode run(const Options& given) {
   if (infinite) bound(options, o);
   o.output.pictures = job.model().body->transcendental();
   const Format format = o.output.chosen();
-  options.shapes = o.shapes || format == Format::svg || o.sensitivity.asked;
-  std::vector<Sensitivity> sensitivities;
+  const bool parts = !job.model().body->orbits().empty();  // whirl and parts belong in the table
+  options.shapes = o.shapes || format == Format::svg || o.sensitivity.asked || o.participation || parts;
+  ModeDetails details;
   ModesResult result = job.answer([&](const Model& m, const Progress& progress) {
     options.progress = progress;
     ModesResult found = m.modes(options);
     if (o.sensitivity.asked && !found.coverage.interrupted) progress.stage("sensitivities");
-    if (!found.coverage.interrupted) sensitivities = o.sensitivity.of(m, found.modes);
+    if (o.participation || parts) details = details_of(m, found);
+    if (!found.coverage.interrupted) details.sensitivities = o.sensitivity.of(m, found.modes);
     return found;
   });
   if (!o.shapes && format != Format::svg) result.drop_shapes();
-  o.output.write(document(job.model(), result, job.timings(), o.output.layout(), o.schema, sensitivities));
+  o.output.write(document(job.model(), result, job.timings(), o.output.layout(), o.schema, details));
   if (o.output.verbose) {
     for (const std::string& line : evidence(result)) o.output.say(line);
   }
@@ -109,6 +112,9 @@ void add_modes(CLI::App& program, int& code) {
                    "its position); modes in which they take no part are local")
       ->type_name("LABELS");
   verb->add_flag("--shapes", o->shapes, "With the mode shapes: motion is Re(X e^{jωt}), largest entry 1");
+  verb->add_flag("--participation", o->participation,
+                 "Where the energy of each mode is: shares of kinetic and strain energy by parts of a rotor or spacecraft (in the table "
+                 "without it), by coordinates of matrices");
   verb->add_option("--schema", o->schema, "Version of the JSON schema: 1, a shape with each mode (default); 2, all shapes as one block")
       ->type_name("VERSION")
       ->check(CLI::IsMember({1, 2}));

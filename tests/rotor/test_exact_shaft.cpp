@@ -83,12 +83,14 @@ TEST(ExactShaft, OfAPinnedShaftIsTheClosedForm) {
       Shaft s;
       s.speed = speed;
       s.tension = tension;
-      const double radius = s.diameter / 2, area = std::numbers::pi * radius * radius, second = area * radius * radius / 4, rho = 7800, e = 2.1e11;
+      const double radius = s.diameter / 2, area = std::numbers::pi * radius * radius, second = area * radius * radius / 4, rho = 7800,
+                   e = 2.1e11;
       std::vector<double> known;
       for (int n = 1; n <= 3; ++n) {
         const double k = n * std::numbers::pi / s.length;
         // (ρA + ρIk²)ω² − 2ΩρIk²ω − (EIk⁴ + Nk²) = 0
-        const double m = rho * area + rho * second * k * k, g = speed * rho * second * k * k, c = e * second * k * k * k * k + tension * k * k;
+        const double m = rho * area + rho * second * k * k, g = speed * rho * second * k * k,
+                     c = e * second * k * k * k * k + tension * k * k;
         for (const double whirl : {-1.0, 1.0}) known.push_back((whirl * g + std::sqrt(g * g + m * c)) / m);
       }
       std::sort(known.begin(), known.end());
@@ -114,7 +116,8 @@ TEST(ExactShaft, IsTheLimitOfFiniteElements) {
       s.tension = tension;
       const std::vector<double> exact = exact_modes(s.on_bearings(8, kyy), 6000);
       ASSERT_GE(exact.size(), 6U);
-      const std::vector<double> at24 = element_modes(s.on_bearings(24, kyy), exact.size()), at48 = element_modes(s.on_bearings(48, kyy), exact.size()),
+      const std::vector<double> at24 = element_modes(s.on_bearings(24, kyy), exact.size()),
+                                at48 = element_modes(s.on_bearings(48, kyy), exact.size()),
                                 at96 = element_modes(s.on_bearings(96, kyy), exact.size());
       for (std::size_t i = 0; i < exact.size(); ++i) {
         const double e24 = at24[i] / exact[i] - 1, e48 = at48[i] / exact[i] - 1;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace gyromode {
 
 ModesResult ModelKind::verdict(bool with_shapes, const Progress& progress) const {
@@ -39,6 +41,26 @@ CriticalSpeeds ModelKind::critical_speeds(const CriticalOptions&) const {
   throw NotApplicable(
       "critical speeds need a rotor, or matrices with 'spin' and 'gyroscopic_per_spin' (M, G₁, K₀, K₂): this model does not say how it "
       "depends on the speed");
+}
+
+namespace {
+
+// Of every coordinate the real part of its term of XᴴAX, relative to the sum; not a number where that is 0.
+Vector shares_of(const Matrix& a, const ComplexVector& x) {
+  const Vector terms = x.real().cwiseProduct(a * x.real()) + x.imag().cwiseProduct(a * x.imag());
+  const double sum = terms.sum();
+  return std::abs(sum) > 1e-12 * terms.cwiseAbs().sum() ? Vector(terms / sum) : Vector::Constant(x.size(), std::nan(""));
+}
+
+}  // namespace
+
+std::vector<EnergyShare> ModelKind::energy_shares(const Mode& mode, const std::vector<ModelOutline>&) const {
+  const System* s = second_order();
+  if (!s || s->size() != mode.shape.size() || !(mode.shape.squaredNorm() > 0)) return {};
+  const Vector kinetic = shares_of(s->mass(), mode.shape), strain = shares_of(s->stiffness(), mode.shape);
+  std::vector<EnergyShare> all;
+  for (Index i = 0; i < s->size(); ++i) all.push_back({s->labels()[static_cast<std::size_t>(i)], kinetic(i), strain(i)});
+  return all;
 }
 
 SpinSource ModelKind::spin_source() const {

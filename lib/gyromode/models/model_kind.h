@@ -5,6 +5,7 @@
 #include "gyromode/models/reports.h"
 #include "gyromode/models/requests.h"
 #include "gyromode/modes/modes.h"
+#include "gyromode/spectrum/energy_share.h"
 #include "gyromode/sweep/critical_speeds.h"
 #include "gyromode/sweep/spin_sample.h"
 
@@ -50,6 +51,12 @@ class ModelKind {
 
   /// Throws NotApplicable unless it is a family of matrices with a spin.
   virtual CriticalSpeeds critical_speeds(const CriticalOptions& options) const;
+
+  /// Displacements across the axis of its stations, whose orbits say how a mode whirls.
+  virtual std::vector<OrbitCoordinates> orbits() const { return {}; }
+  /// How the energies of a mode with its shape are shared among the parts: by coordinates of matrices. `outlines` as in
+  /// the result that the mode is of. Empty where the shape says nothing.
+  virtual std::vector<EnergyShare> energy_shares(const Mode& mode, const std::vector<ModelOutline>& outlines) const;
 
   /// What it says of itself to a sweep over its spin. Throws NotApplicable where it does not say how it depends on one.
   virtual SpinSource spin_source() const;

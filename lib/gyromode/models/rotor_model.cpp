@@ -4,10 +4,12 @@
 #include "gyromode/models/family_parameters.h"
 #include "gyromode/models/part_parameters.h"
 #include "gyromode/rotor/part_numbers.h"
+#include "gyromode/rotor/part_energies.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gyromode {
 
@@ -30,14 +32,6 @@ struct Numbers {
     for (Spool& s : p.spools) each_parameter_of(s, "spool." + s.name, see);
   }
 };
-
-std::vector<OrbitCoordinates> orbits_of(const Rotor& r) {
-  std::vector<OrbitCoordinates> places;
-  for (const Station& s : r.stations()) {
-    if (s.coordinate[0] >= 0 && s.coordinate[1] >= 0) places.push_back({s.coordinate[0], s.coordinate[1]});
-  }
-  return places;
-}
 
 // A bearing whose stiffness keeps fewer than three digits in the sum with the shaft's, in a sentence; or nothing.
 std::string lost_by_rounding(const Rotor& r, const Matrix& stiffness, std::size_t which) {
@@ -86,10 +80,36 @@ std::vector<std::string> RotorModel::doubts(bool fixed_axes) const {
 }
 
 CriticalSpeeds RotorModel::critical_speeds(const CriticalOptions& options) const {
-  return gyromode::critical_speeds(*family_, options, orbits_of(rotor_));
+  return gyromode::critical_speeds(*family_, options, orbits());
 }
 
-SpinSource RotorModel::spin_source() const { return spin_source_of(family_, orbits_of(rotor_)); }
+std::vector<OrbitCoordinates> RotorModel::orbits() const {
+  std::vector<OrbitCoordinates> places;
+  for (const Station& s : rotor_.stations()) {
+    if (s.coordinate[0] >= 0 && s.coordinate[1] >= 0) places.push_back({s.coordinate[0], s.coordinate[1]});
+  }
+  return places;
+}
+
+// By sections of shaft, discs, point masses and bearings.
+std::vector<EnergyShare> RotorModel::energy_shares(const Mode& mode, const std::vector<ModelOutline>&) const {
+  if (mode.shape.size() != size()) return {};
+  std::vector<EnergyShare> all;
+  double kinetic = 0, strain = 0, sizes = 0;
+  for (const PartEnergy& p : part_energies(rotor_, mode.shape)) {
+    all.push_back({p.part, p.kinetic, p.strain});
+    kinetic += p.kinetic;
+    strain += p.strain;
+    sizes += std::abs(p.strain);
+  }
+  for (EnergyShare& s : all) {
+    s.kinetic /= kinetic;
+    s.strain = strain > 1e-12 * sizes ? s.strain / strain : std::nan("");
+  }
+  return all;
+}
+
+SpinSource RotorModel::spin_source() const { return spin_source_of(family_, orbits()); }
 
 std::vector<Parameter> RotorModel::parameters() const {
   RotorParts parts = rotor_.parts();

@@ -17,6 +17,8 @@ class RotorModel : public DelegatingModel {
   /// Stations so near to each other that the element between them costs digits.
   std::vector<std::string> doubts(bool fixed_axes) const override;
   CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
+  std::vector<OrbitCoordinates> orbits() const override;
+  std::vector<EnergyShare> energy_shares(const Mode& mode, const std::vector<ModelOutline>& outlines) const override;
   SpinSource spin_source() const override;
   std::string speed_key() const override { return "speed"; }
   std::vector<Parameter> parameters() const override;

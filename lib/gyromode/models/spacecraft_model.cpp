@@ -51,13 +51,64 @@ StructureReport SpacecraftModel::structure(std::optional<double> at) const {
   return r;
 }
 
-// Orbits of the tilt, about axes 1 and 2 of the turning axes.
+namespace {
+
+// Line density, and mass at the end, of what an outline is of: the boom of that root and direction, or the mass there.
+std::pair<double, double> masses_of(const Spacecraft& s, const ModelOutline& line) {
+  const Eigen::Vector3d root = line.points.front(), end = line.points.back();
+  const auto is = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).norm() <= 1e-9 * (1 + a.norm()); };
+  if (line.points.size() == 1) {
+    for (const SpringMass& m : s.masses()) {
+      if (is(root, m.position)) return {0, m.mass};
+    }
+  }
+  for (const Cable& c : s.cables()) {
+    const Eigen::Vector3d at = c.radius * c.direction() + Eigen::Vector3d(0, 0, c.height);
+    if (is(root, at) && is(end, at + c.length * c.direction())) return {c.line_density, c.tip_mass};
+  }
+  for (const Beam& b : s.beams()) {
+    const Eigen::Vector3d at(0, 0, b.root_height);
+    if (is(root, at) && is(end, at + Eigen::Vector3d(0, 0, b.way() * b.length))) return {b.line_density, b.tip_mass};
+  }
+  return {0, 0};
+}
+
+// ∫ ρ|u|² along an outline by the trapezoidal rule, and a mass at its end.
+double kinetic_along(const ModelOutline& line, const ComplexMatrix& field, double line_density, double tip_mass) {
+  double sum = tip_mass * field.col(field.cols() - 1).squaredNorm();
+  for (Index k = 0; k + 1 < field.cols(); ++k) {
+    const double length = (line.points[static_cast<std::size_t>(k + 1)] - line.points[static_cast<std::size_t>(k)]).norm();
+    sum += line_density * length * 0.5 * (field.col(k).squaredNorm() + field.col(k + 1).squaredNorm());
+  }
+  return sum;
+}
+
+}  // namespace
+
+// Of body, booms and masses; of the booms by the points of their outlines. Springs and tension say nothing of strain
+// apart from the spin.
+std::vector<EnergyShare> SpacecraftModel::energy_shares(const Mode& mode, const std::vector<ModelOutline>& outlines) const {
+  if (mode.shape.size() != size() || mode.field.size() != outlines.size()) return {};
+  const Eigen::Vector3cd tilt = mode.shape.tail<3>(),
+                         centre = mode.shape.head<3>() + Eigen::Vector3cd(-tilt(1), tilt(0), 0) * spacecraft_.centre();
+  const Body& body = spacecraft_.body();
+  std::vector<EnergyShare> all{{"body", body.mass * centre.squaredNorm() + std::real(tilt.dot(body.inertia.cast<Complex>() * tilt))}};
+  for (std::size_t k = 0; k < outlines.size(); ++k) {
+    const auto [line_density, end_mass] = masses_of(spacecraft_, outlines[k]);
+    all.push_back({outlines[k].name, kinetic_along(outlines[k], mode.field[k], line_density, end_mass)});
+  }
+  double sum = 0;
+  for (const EnergyShare& s : all) sum += s.kinetic;
+  for (EnergyShare& s : all) s.kinetic /= sum;
+  return sum > 0 ? all : std::vector<EnergyShare>{};
+}
+
 SpinSource SpacecraftModel::spin_source() const {
   const auto at = [s = spacecraft_](double spin) { return Spacecraft(spin, s.body(), s.cables(), s.beams(), s.masses()); };
   SpinSource source;
   source.modes = [at](double spin, const ModesOptions& options) { return find_modes(at(spin), options); };
   source.impedance = [at](double omega, double spin) { return impedance_at(at(spin), omega); };
-  source.places = {{3, 4}};
+  source.places = orbits();
   return source;
 }
 

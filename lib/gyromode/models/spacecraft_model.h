@@ -19,6 +19,8 @@ class SpacecraftModel : public ModelKind {
   ModesResult modes(const ModesOptions& options) const override;
   CountResult count(const Window& window) const override;
   StructureReport structure(std::optional<double> at) const override;
+  std::vector<OrbitCoordinates> orbits() const override { return {{3, 4}}; }
+  std::vector<EnergyShare> energy_shares(const Mode& mode, const std::vector<ModelOutline>& outlines) const override;
   SpinSource spin_source() const override;
   void require_motion() const override {}
   ResponseReport response(const MotionRequest& request) const override;

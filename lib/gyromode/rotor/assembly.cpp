@@ -1,4 +1,7 @@
+#include "gyromode/rotor/part_energies.h"
 #include "gyromode/rotor/pieces.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +85,10 @@ void add_disc(const Rotor& r, const Disc& d, Matrices& to) {
   to.add(r.station_at(spool, d.position), mass, polar, diametral, d.offset, r.spools()[spool].speed_ratio);
 }
 
+void add_point_mass(const Rotor& r, const PointMass& m, Matrices& to) {
+  to.add(r.station_at(r.spool_named(m.spool), m.position), m.mass, 0, 0, 0, 0);
+}
+
 void add_bearing(const Rotor& r, std::size_t which, Matrices& to) {
   const Bearing& b = r.parts().bearings[which];
   const auto& a = r.station_at(r.spool_named(b.spool), b.position).coordinate;
@@ -108,7 +115,7 @@ namespace {
 
 void add_what_they_carry(const Rotor& r, Matrices& all) {
   for (const Disc& d : r.parts().discs) add_disc(r, d, all);
-  for (const PointMass& m : r.parts().point_masses) all.add(r.station_at(r.spool_named(m.spool), m.position), m.mass, 0, 0, 0, 0);
+  for (const PointMass& m : r.parts().point_masses) add_point_mass(r, m, all);
   for (std::size_t k = 0; k < r.parts().bearings.size(); ++k) add_bearing(r, k, all);
 }
 
@@ -130,6 +137,36 @@ SpinFamily assembled_without_shafts(const Rotor& r) {
   Matrices all(r);
   add_what_they_carry(r, all);
   return family_of(r, std::move(all));
+}
+
+std::vector<PartEnergy> part_energies(const Rotor& r, const ComplexVector& x) {
+  std::vector<PartEnergy> all;
+  const auto form = [&](const Matrix& a) { return x.real().dot(a * x.real()) + x.imag().dot(a * x.imag()); };
+  const auto see = [&](const std::string& part, const Matrices& m) { all.push_back({part, form(m.mass), form(m.stiffness)}); };
+  for (std::size_t k = 0; k < r.parts().shafts.size(); ++k) {
+    Matrices of_section(r);
+    each_piece(r, [&](const PieceBetween& p) {
+      if (&p.section == &r.parts().shafts[k])
+        of_section.add(p.lower, p.upper, shaft_element(p.piece), p.speed_ratio, r.parts().axial_force);
+    });
+    see(fmt::format("shaft {}", k + 1), of_section);
+  }
+  for (std::size_t k = 0; k < r.parts().discs.size(); ++k) {
+    Matrices of_disc(r);
+    add_disc(r, r.parts().discs[k], of_disc);
+    see(fmt::format("disk {}", k + 1), of_disc);
+  }
+  for (std::size_t k = 0; k < r.parts().point_masses.size(); ++k) {
+    Matrices of_mass(r);
+    add_point_mass(r, r.parts().point_masses[k], of_mass);
+    see(fmt::format("point mass {}", k + 1), of_mass);
+  }
+  for (std::size_t k = 0; k < r.parts().bearings.size(); ++k) {
+    Matrices of_bearing(r);
+    add_bearing(r, k, of_bearing);
+    see(fmt::format("bearing {}", k + 1), of_bearing);
+  }
+  return all;
 }
 
 }  // namespace gyromode

@@ -22,9 +22,10 @@ ExactRotor::ExactRotor(const Rotor& r) {
   scale_ = assembled(r).stiffness.diagonal().cwiseSqrt().cwiseInverse();
   each_piece(r, [&](const PieceBetween& p) {
     const auto &a = p.lower.coordinate, &b = p.upper.coordinate;
-    pieces_.push_back({{a[0], a[3], b[0], b[3]},
-                       {a[1], a[2], b[1], b[2]},
-                       ExactPiece::of(p.section, p.piece.material, p.piece.length, p.speed_ratio * r.parts().speed, r.parts().axial_force)});
+    pieces_.push_back(
+        {{a[0], a[3], b[0], b[3]},
+         {a[1], a[2], b[1], b[2]},
+         ExactPiece::of(p.section, p.piece.material, p.piece.length, p.speed_ratio * r.parts().speed, r.parts().axial_force)});
   });
   const auto serves = [&](double omega) {
     return std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.exact.clamped_above(omega); });
@@ -44,7 +45,8 @@ void ExactRotor::add(const Piece& p, const T& omega, ComplexMatrix& to) const {
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
       const auto row = static_cast<Index>(i), col = static_cast<Index>(k);
-      const Complex same = 0.5 * (forward(row, col) + backward(row, col)), cross = Complex(0, 0.5) * (forward(row, col) - backward(row, col));
+      const Complex same = 0.5 * (forward(row, col) + backward(row, col)),
+                    cross = Complex(0, 0.5) * (forward(row, col) - backward(row, col));
       const auto put = [&](Index a, Index b, const Complex& value) {
         if (a >= 0 && b >= 0) to(a, b) += value;
       };
@@ -58,7 +60,8 @@ void ExactRotor::add(const Piece& p, const T& omega, ComplexMatrix& to) const {
 
 template <class T>
 ComplexMatrix ExactRotor::impedance(const T& omega) const {
-  ComplexMatrix h = stiffness_.cast<Complex>() + Complex(0, 1) * omega * gyroscopic_.cast<Complex>() - Complex(omega * omega) * mass_.cast<Complex>();
+  ComplexMatrix h =
+      stiffness_.cast<Complex>() + Complex(0, 1) * omega * gyroscopic_.cast<Complex>() - Complex(omega * omega) * mass_.cast<Complex>();
   for (const Piece& p : pieces_) add(p, omega, h);
   return scale_.cast<Complex>().asDiagonal() * h * scale_.cast<Complex>().asDiagonal();
 }

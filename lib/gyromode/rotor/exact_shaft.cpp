@@ -40,9 +40,9 @@ Eigen::Matrix<T, 4, 4> ExactPiece::dynamic_stiffness(const T& omega) const {
   const Half by_second = t12.inverse(), by_first = -by_second * t11;  // (m, t) at the first end
   const Half end_first = t21 + t22 * by_first, end_second = t22 * by_second;
   Eigen::Matrix<T, 4, 4> d;
-  d << by_first(1, 0), by_first(1, 1), by_second(1, 0), by_second(1, 1),        //
-      -by_first(0, 0), -by_first(0, 1), -by_second(0, 0), -by_second(0, 1),     //
-      -end_first(1, 0), -end_first(1, 1), -end_second(1, 0), -end_second(1, 1), //
+  d << by_first(1, 0), by_first(1, 1), by_second(1, 0), by_second(1, 1),         //
+      -by_first(0, 0), -by_first(0, 1), -by_second(0, 0), -by_second(0, 1),      //
+      -end_first(1, 0), -end_first(1, 1), -end_second(1, 0), -end_second(1, 1),  //
       end_first(0, 0), end_first(0, 1), end_second(0, 0), end_second(0, 1);
   const Eigen::Vector4d scale(1, length, 1, length);
   const double unit = bending / (length * length * length);

@@ -9,12 +9,12 @@ namespace gyromode {
 /// A uniform piece of a Rayleigh shaft: EI z⁗ − ρI(z̈″ − 2jΩż″) − N z″ + ρA z̈ = 0 for z = x + jy in fixed axes, under
 /// tension N.
 struct ExactPiece {
-  double length = 0;            ///< l, m
-  double bending = 0;           ///< EI, N m²
-  double rotary = 0;            ///< ρI, kg m
-  double line_density = 0;      ///< ρA, kg/m
-  double tension = 0;           ///< N, N
-  double speed = 0;             ///< Ω, rad/s, of its spool
+  double length = 0;        ///< l, m
+  double bending = 0;       ///< EI, N m²
+  double rotary = 0;        ///< ρI, kg m
+  double line_density = 0;  ///< ρA, kg/m
+  double tension = 0;       ///< N, N
+  double speed = 0;         ///< Ω, rad/s, of its spool
 
   /// Of a section that has one diameter, between two places of it. @throws NotApplicable of another theory or a taper
   static ExactPiece of(const ShaftSection& section, const Material& material, double length, double speed, double tension);

@@ -9,11 +9,11 @@ namespace gyromode {
 
 /// A piece of shaft between two neighbouring stations.
 struct PieceBetween {
-  const Station& lower;           ///< end
-  const Station& upper;           ///< end
-  const ShaftSection& section;    ///< that it is of
-  double speed_ratio;             ///< of its spool
-  ShaftPiece piece;               ///< its length, cross-sections and material
+  const Station& lower;         ///< end
+  const Station& upper;         ///< end
+  const ShaftSection& section;  ///< that it is of
+  double speed_ratio;           ///< of its spool
+  ShaftPiece piece;             ///< its length, cross-sections and material
 };
 
 /// Every piece of every shaft.

@@ -60,7 +60,7 @@ void describe_block(const Model& model, const ModesResult& r, Writer& w) {
 
 }  // namespace
 
-void describe(const Model& model, const ModesResult& r, Writer& w) {
+void describe(const Model& model, const ModesResult& r, const ModeDetails& details, Writer& w) {
   const Coverage& c = r.coverage;
   describe_class(model, r.structure, r.stiffness, !r.first_order, w);
   w.say("class", class_words(model, r.structure) + (r.first_order ? "" : "; " + stiffness_words(r.stiffness)));
@@ -74,10 +74,10 @@ void describe(const Model& model, const ModesResult& r, Writer& w) {
   const bool shapes = !r.modes.empty() && r.modes.front().shape.size() > 0;
   const bool growing_shapes = !r.unstable.empty() && r.unstable.front().shape.size() > 0;
   const bool in_csv = w.for_csv() && (shapes || growing_shapes);
-  Table modes = modes_table(model, "modes", r.modes, w, in_csv), unstable = unstable_table(model, r.unstable, w, in_csv);
+  Table modes = modes_table(model, "modes", r.modes, w, in_csv, details), unstable = unstable_table(model, r.unstable, w, in_csv);
   modes.csv = unstable.csv = true;
   w.table(modes);
-  w.table(modes_lines(r.modes, w));
+  w.table(modes_lines(r.modes, details, w));
   if (shapes) describe_shapes(model, r.modes, w);
   w.table(unstable);
   w.fact("geometry", geometry(r));

@@ -1,5 +1,7 @@
 #include "gyromode/write/document.h"
 
+#include "gyromode/models/model_kind.h"
+
 #include "gyromode/write/result_svg.h"
 #include "gyromode/write/writer.h"
 
@@ -38,12 +40,23 @@ std::string written(std::string_view kind, const Model& model, const Result& res
 }  // namespace
 
 std::string document(const Model& model, const ModesResult& result, const Timings& timings, const Layout& layout, int version,
-                     const std::vector<Sensitivity>& sensitivities) {
+                     const ModeDetails& details) {
   if (layout.format == Format::svg) return modes_svg(model, result);
   const std::unique_ptr<Writer> w = writer("modes", model, timings, layout, version);
-  describe(model, result, *w);
-  describe_sensitivities(sensitivities, result.frequencies(), *w);
+  describe(model, result, details, *w);
+  describe_sensitivities(details.sensitivities, result.frequencies(), *w);
   return w->text();
+}
+
+ModeDetails details_of(const Model& model, const ModesResult& result) {
+  ModeDetails d;
+  const std::vector<OrbitCoordinates> places = model.body->orbits();
+  for (const Mode& m : result.modes) {
+    const bool there = m.shape.size() > 0 && m.kind != ModeKind::rigid_body;
+    d.whirl.push_back(there ? whirl_of(m.shape, places) : std::nullopt);
+    d.energy_shares.push_back(there ? model.body->energy_shares(m, result.outlines) : std::vector<EnergyShare>{});
+  }
+  return d;
 }
 std::string document(const Model& model, const CountResult& result, const Timings& timings, const Layout& layout) {
   return written("count", model, result, timings, layout);

@@ -2,6 +2,7 @@
 
 #include "gyromode/base/frequency_unit.h"
 #include "gyromode/models/model.h"
+#include "gyromode/spectrum/energy_share.h"
 
 #include <filesystem>
 #include <optional>
@@ -37,6 +38,15 @@ struct Layout {
   Layout(Format how = Format::table) : format(how) {}
 };
 
+/// What else may be said of modes.
+struct ModeDetails {
+  std::vector<Sensitivity> sensitivities;               ///< to numbers of the model
+  std::vector<std::optional<Whirl>> whirl;              ///< of every mode, or empty
+  std::vector<std::vector<EnergyShare>> energy_shares;  ///< of every mode, or empty
+};
+/// Whirl and shares of energy of modes with their shapes, where the model has places and parts.
+ModeDetails details_of(const Model& model, const ModesResult& result);
+
 /// The numbers that a verdict and a list of modes rest on, a line each, for people: components, index balance, counts,
 /// the largest residual and error bound, the nearest roots of opposite energy sign.
 std::vector<std::string> evidence(const ModesResult& result);
@@ -45,7 +55,7 @@ std::vector<std::string> evidence(const ModesResult& result);
 /// shapes. JSON follows the public schemas (docs/results.md), 17 significant digits where needed. `version` of the
 /// schema gyromode/modes: 1, a shape with each mode; 2, shapes and displacements of all modes as one block.
 std::string document(const Model& model, const ModesResult& result, const Timings& timings, const Layout& layout, int version = 1,
-                     const std::vector<Sensitivity>& sensitivities = {});
+                     const ModeDetails& details = {});
 std::string document(const Model& model, const CountResult& result, const Timings& timings, const Layout& layout);
 std::string document(const Model& model, const StructureReport& report, const Timings& timings, const Layout& layout);
 std::string document(const Model& model, const ResponseReport& report, const Timings& timings, const Layout& layout);

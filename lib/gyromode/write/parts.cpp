@@ -128,31 +128,50 @@ void describe_balance(const IndexBalance& b, Writer& w) {
 
 namespace {
 
+// "disk 2 63 %, shaft 1 30 %": the parts with most of the kinetic energy.
+std::string most_energy_in(const std::vector<EnergyShare>& shares) {
+  constexpr double worth_saying = 0.1;
+  constexpr std::size_t most = 2;
+  std::vector<const EnergyShare*> order;
+  for (const EnergyShare& s : shares) order.push_back(&s);
+  std::stable_sort(order.begin(), order.end(), [](const EnergyShare* a, const EnergyShare* b) { return a->kinetic > b->kinetic; });
+  std::string words;
+  for (std::size_t k = 0; k < std::min(most, order.size()) && order[k]->kinetic >= worth_saying; ++k)
+    words += fmt::format("{}{} {:.0f} %", k > 0 ? ", " : "", order[k]->part, 100 * order[k]->kinetic);
+  return words;
+}
+
 // As a person reads a mode: with the digits that are determined; modes that read alike are one line.
 struct ModeLine {
-  std::string omega, hertz, kind;
+  std::string omega, hertz, kind, whirl, where;
   int sign;
   Index first, last;
   double residual;
 
-  ModeLine(const Mode& m, Index at, const Writer& w)
+  ModeLine(const Mode& m, Index at, const ModeDetails& d, const Writer& w)
       : omega(determined(w.frequency(m.omega), w.frequency(m.error_bound))),
         hertz(determined(io::hertz(m.omega), io::hertz(m.error_bound), 10)),
         kind(m.kind == ModeKind::rigid_body ? "rigid body" : to_string(m.kind)),
         sign(m.energy_sign),
         first(at),
         last(at),
-        residual(m.residual) {}
-  bool reads_like(const ModeLine& other) const { return omega == other.omega && kind == other.kind && sign == other.sign; }
+        residual(m.residual) {
+    const auto k = static_cast<std::size_t>(at);
+    if (k < d.whirl.size() && d.whirl[k]) whirl = to_string(*d.whirl[k]);
+    if (k < d.energy_shares.size()) where = most_energy_in(d.energy_shares[k]);
+  }
+  bool reads_like(const ModeLine& other) const {
+    return omega == other.omega && kind == other.kind && sign == other.sign && whirl == other.whirl && where == other.where;
+  }
   Index count() const { return last - first + 1; }
   std::string number() const { return count() == 1 ? fmt::format("{}", first + 1) : fmt::format("{}–{}", first + 1, last + 1); }
   std::string kind_and_count() const { return count() == 1 ? kind : fmt::format("{} ×{}", kind, count()); }
 };
 
-std::vector<ModeLine> lines_of(const std::vector<Mode>& modes, const Writer& w) {
+std::vector<ModeLine> lines_of(const std::vector<Mode>& modes, const ModeDetails& d, const Writer& w) {
   std::vector<ModeLine> lines;
   for (std::size_t k = 0; k < modes.size(); ++k) {
-    const ModeLine line(modes[k], static_cast<Index>(k), w);
+    const ModeLine line(modes[k], static_cast<Index>(k), d, w);
     if (lines.empty() || !lines.back().reads_like(line)) {
       lines.push_back(line);
       continue;
@@ -165,8 +184,11 @@ std::vector<ModeLine> lines_of(const std::vector<Mode>& modes, const Writer& w) 
 
 }  // namespace
 
-Table modes_lines(const std::vector<Mode>& modes, const Writer& w) {
-  const std::vector<ModeLine> lines = lines_of(modes, w);
+Table modes_lines(const std::vector<Mode>& modes, const ModeDetails& details, const Writer& w) {
+  const std::vector<ModeLine> lines = lines_of(modes, details, w);
+  const auto any = [&](std::string ModeLine::*words) {
+    return std::any_of(lines.begin(), lines.end(), [&](const ModeLine& m) { return !(m.*words).empty(); });
+  };
   return {"",
           "",
           {{"", "#"},
@@ -174,16 +196,42 @@ Table modes_lines(const std::vector<Mode>& modes, const Writer& w) {
            {"", w.in_radians() ? "f [Hz]" : ""},
            {"", "energy"},
            {"", "residual", "{:.1e}"},
-           {"", "kind"}},
+           {"", any(&ModeLine::whirl) ? "whirl" : ""},
+           {"", "kind"},
+           {"", any(&ModeLine::where) ? "kinetic energy in" : ""}},
           static_cast<Index>(lines.size()),
           [lines](Index k) {
             const ModeLine& m = lines[static_cast<std::size_t>(k)];
             return std::vector<Cell>{{nullptr, m.number()},         {nullptr, m.omega}, {nullptr, m.hertz},
-                                     {nullptr, sign_words(m.sign)}, {m.residual},       {nullptr, m.kind_and_count()}};
+                                     {nullptr, sign_words(m.sign)}, {m.residual},       {nullptr, m.whirl},
+                                     {nullptr, m.kind_and_count()}, {nullptr, m.where}};
           }};
 }
 
-Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w, bool shapes_in_csv) {
+namespace {
+
+Json whirl_of_mode(const ModeDetails& d, Index k) {
+  const auto i = static_cast<std::size_t>(k);
+  if (i >= d.whirl.size()) return no_value;
+  return d.whirl[i] ? Json(to_string(*d.whirl[i])) : Json(nullptr);
+}
+
+// {"kinetic": {part: share}, "strain": {part: share}}
+Json participation(const ModeDetails& d, Index k) {
+  const auto i = static_cast<std::size_t>(k);
+  if (i >= d.energy_shares.size() || d.energy_shares[i].empty()) return no_value;
+  Json all{{"kinetic", Json::object()}};
+  for (const EnergyShare& s : d.energy_shares[i]) {
+    all["kinetic"][s.part] = s.kinetic;
+    if (!std::isnan(s.strain)) all["strain"][s.part] = s.strain;
+  }
+  return all;
+}
+
+}  // namespace
+
+Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w, bool shapes_in_csv,
+                  const ModeDetails& details) {
   Table t{std::move(key),
           "",
           {{w.frequency_key("omega")},
@@ -196,13 +244,15 @@ Table modes_table(const Model& model, std::string key, const std::vector<Mode>& 
            {w.frequency_key("error_bound")},
            {"cluster", "", "", Column::In::json},
            {"bracket", "", "", Column::In::json},
+           {"whirl", "", "", details.whirl.empty() ? Column::In::json : Column::In::both},
+           {"participation", "", "", Column::In::json},
            {"shape", "", "", Column::In::json},
            {"displacements", "", "", Column::In::json}},
           static_cast<Index>(modes.size()),
           {}};
   const bool flat = shapes_in_csv, nested = w.for_json() && w.version() == 1;
   if (flat) add_shape_columns(model.labels(), t);
-  t.row = [&model, &modes, &w, flat, nested](Index k) {
+  t.row = [&model, &modes, &w, &details, flat, nested](Index k) {
     const Mode& m = modes[static_cast<std::size_t>(k)];
     std::vector<Cell> row{{w.frequency(m.omega)},
                           {hertz(m.omega)},
@@ -214,6 +264,8 @@ Table modes_table(const Model& model, std::string key, const std::vector<Mode>& 
                           {w.frequency(m.error_bound)},
                           {m.cluster > 1 ? Json(m.cluster) : no_value},
                           {m.bracket ? Json(*m.bracket) : no_value},
+                          {whirl_of_mode(details, k)},
+                          {participation(details, k)},
                           {nested ? shape_json(model.labels(), m.shape) : no_value},
                           {nested ? displacements(m.field) : no_value}};
     if (flat) add_shape(model.labels(), m.shape, row);

@@ -44,9 +44,10 @@ void describe_balance(const IndexBalance& b, Writer& w);
 /// `unit` of its window, for people.
 void describe_coverage(const Coverage& c, FrequencyUnit unit, Writer& w);
 /// Modes as people read them.
-Table modes_lines(const std::vector<Mode>& modes, const Writer& w);
+Table modes_lines(const std::vector<Mode>& modes, const ModeDetails& details, const Writer& w);
 /// Modes for programs, under `key` in JSON; with their shapes where they have some.
-Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w, bool shapes_in_csv = false);
+Table modes_table(const Model& model, std::string key, const std::vector<Mode>& modes, const Writer& w, bool shapes_in_csv = false,
+                  const ModeDetails& details = {});
 Table unstable_table(const Model& model, const std::vector<UnstableMode>& modes, const Writer& w, bool shapes_in_csv);
 
 }  // namespace gyromode::io

@@ -91,7 +91,7 @@ class Writer {
 std::unique_ptr<Writer> writer(std::string_view kind, const Model& model, const Timings& timings, const Layout& layout, int version);
 
 /// Describes each result.
-void describe(const Model& model, const ModesResult& result, Writer& w);
+void describe(const Model& model, const ModesResult& result, const ModeDetails& details, Writer& w);
 void describe(const Model& model, const CountResult& result, Writer& w);
 void describe(const Model& model, const StructureReport& report, Writer& w);
 void describe(const Model& model, const CriticalSpeeds& speeds, Writer& w);
