@@ -35,7 +35,8 @@ std::vector<double> orders_of(const std::string& text) {
   return all;
 }
 
-ExitCode run(const Options& o) {
+ExitCode run(const Options& given) {
+  Options o = given;
   constexpr Index usual = 10;
   CampbellOptions options;
   const Vector spins = frequency_grid("--spin", o.spin);
@@ -44,6 +45,7 @@ ExitCode run(const Options& o) {
   options.lowest = o.lowest;
   if (!o.below && !o.lowest) options.lowest = usual;
   options.orders = orders_of(o.orders);
+  o.output.pictures = true;
   Job job(o.source, o.output);
   const Campbell result = job.answer([&](const Model& m, const Progress& progress) {
     options.progress = progress;

@@ -36,7 +36,9 @@ ExitCode run_over(const Options& o, const CriticalOptions& options, Job& job) {
   return ExitCode::not_certified;
 }
 
-ExitCode run(const Options& o) {
+ExitCode run(const Options& given) {
+  Options o = given;
+  o.output.pictures = !o.over.empty();
   CriticalOptions options;
   const Parsed order = parse_real(o.order);
   if (order.outcome != Parsed::ok || !(order.value >= 0))

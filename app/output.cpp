@@ -19,7 +19,8 @@ namespace gyromode::app {
 
 void OutputOption::add_to(CLI::App& verb) {
   verb.add_option("--format", format,
-                  "table, json, csv, markdown, or svg (mode shapes of a spacecraft); default: by the extension of -o, else table")
+                  "table, json, csv, markdown, or svg (mode shapes of a spacecraft, campbell, critical --over); default: by the extension "
+                  "of -o, else table")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"table", "json", "csv", "markdown", "svg"}));
   verb.add_option("-o,--output", file, "Write the result to FILE (.json, .csv, .md, .svg by extension) instead of stdout")
@@ -37,7 +38,7 @@ void OutputOption::add_to(CLI::App& verb) {
 
 Format OutputOption::chosen(Format otherwise) const {
   if (!pictures && (format == "svg" || (format.empty() && format_for(file) == Format::svg)))
-    throw UsageError("svg is for the mode shapes of a spacecraft: gyromode modes MODEL -o shapes.svg");
+    throw UsageError("svg is for the mode shapes of a spacecraft (gyromode modes MODEL -o shapes.svg), campbell, and critical --over");
   if (!format.empty()) return *format_named(format);
   if (file.empty()) return otherwise;
   return format_for(file);

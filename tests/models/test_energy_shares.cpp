@@ -51,7 +51,8 @@ TEST(EnergyShares, SumToOneForEveryKind) {
   }
   EXPECT_GT(seen, 20);
   support::Source source{std::mt19937_64(3)};
-  for (int draw = 0; draw < 30; ++draw) expect_sums(Model(std::make_shared<RotorModel>(Rotor(support::random_rotor(source)))), std::to_string(draw));
+  for (int draw = 0; draw < 30; ++draw)
+    expect_sums(Model(std::make_shared<RotorModel>(Rotor(support::random_rotor(source)))), std::to_string(draw));
 }
 
 // Two masses on springs: the kinetic energy of each mass, and strain by rows of K.

@@ -1,6 +1,7 @@
 #include "gyromode/write/document.h"
 
 #include "gyromode/models/model_kind.h"
+#include "gyromode/write/campbell_svg.h"
 
 #include "gyromode/write/result_svg.h"
 #include "gyromode/write/writer.h"
@@ -74,10 +75,10 @@ std::string document(const Model& model, const CriticalSpeeds& speeds, const Tim
   return w->text();
 }
 std::string document(const Model& model, const Campbell& diagram, const Timings& timings, const Layout& layout) {
-  return written("campbell", model, diagram, timings, layout);
+  return layout.format == Format::svg ? campbell_svg(model, diagram, layout) : written("campbell", model, diagram, timings, layout);
 }
 std::string document(const Model& model, const CriticalMap& map, const Timings& timings, const Layout& layout) {
-  return written("critical", model, map, timings, layout);
+  return layout.format == Format::svg ? critical_map_svg(model, map, layout) : written("critical", model, map, timings, layout);
 }
 std::string document(const Model& model, const StabilityReport& report, const Timings& timings, const Layout& layout) {
   return written("stability", model, report, timings, layout);
