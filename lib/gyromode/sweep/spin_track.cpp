@@ -13,7 +13,9 @@ namespace gyromode {
 
 namespace {
 
-constexpr double unresolved = 4;  // times the errors of two frequencies: a distance below is not known
+constexpr int most_halvings = 24;    // of a step in which roots come or go
+constexpr int most_for_slopes = 10;  // of those because branches do not lead where their slopes say
+constexpr double unresolved = 4;     // times the errors of two frequencies: a distance below is not known
 
 // Whether roots came or went between two spins otherwise than through the upper end of the window.
 bool same_balance(const SpinSample& a, const SpinSample& b) {
@@ -47,6 +49,24 @@ std::vector<std::size_t> best_order(const std::vector<Index>& shorter, const std
   return at;
 }
 
+// The same, of neighbours to neighbours.
+std::vector<std::size_t> best_shift(const std::vector<Index>& shorter, const std::vector<Index>& longer,
+                                    const std::function<double(Index, Index)>& cost) {
+  std::size_t best = 0;
+  double least = infinity;
+  for (std::size_t shift = 0; shift + shorter.size() <= longer.size(); ++shift) {
+    double sum = 0;
+    for (std::size_t i = 0; i < shorter.size(); ++i) sum += cost(shorter[i], longer[shift + i]);
+    if (sum < least) {
+      least = sum;
+      best = shift;
+    }
+  }
+  std::vector<std::size_t> at;
+  for (std::size_t i = 0; i < shorter.size(); ++i) at.push_back(best + i);
+  return at;
+}
+
 }  // namespace
 
 std::map<SpinTrack::Key, std::vector<Index>> SpinTrack::lists_of(const SpinSample& s) {
@@ -76,7 +96,10 @@ SpinTrack::Joined SpinTrack::join(const SpinSample& a, const SpinSample& b) {
       const auto cost = [&](Index x, Index y) {
         return mismatch(a.modes[static_cast<std::size_t>(fewer ? y : x)], b.modes[static_cast<std::size_t>(fewer ? x : y)], step);
       };
-      const std::vector<std::size_t> at = fewer ? best_order(to, from, cost) : best_order(from, to, cost);
+      // Without flutter a root comes and goes at the ends of a list: through zero, or through the end of the window.
+      const bool at_the_ends = a.balance.closed && b.balance.closed && a.balance.quadruples == b.balance.quadruples;
+      const std::vector<Index>&shorter = fewer ? to : from, &longer = fewer ? from : to;
+      const std::vector<std::size_t> at = at_the_ends ? best_shift(shorter, longer, cost) : best_order(shorter, longer, cost);
       for (std::size_t k = 0; k < at.size(); ++k) {
         if (fewer)
           joined.from[static_cast<std::size_t>(to[k])] = from[at[k]];
@@ -141,7 +164,8 @@ const SpinTrack::Point& SpinTrack::keep(Point p) {
 void SpinTrack::extend(const Point& from, SpinSample sample, int halvings) {
   const Joined joined = join(from.sample, sample);
   const double middle = 0.5 * (from.sample.spin + sample.spin);
-  if (joined.sure || halvings == 0 || middle == from.sample.spin || middle == sample.spin) {
+  const bool understood = is_understood(from.sample, sample) || halvings <= most_halvings - most_for_slopes;
+  if ((joined.sure && understood) || halvings == 0 || middle == from.sample.spin || middle == sample.spin) {
     Point p{std::move(sample), {}, {}};
     p.branch = continued(from, p.sample);
     resume(from, p);
@@ -153,7 +177,6 @@ void SpinTrack::extend(const Point& from, SpinSample sample, int halvings) {
 }
 
 SpinTrack::SpinTrack(const SpinSampler& sampler, const std::vector<double>& spins, const Progress& progress) : sampler_(sampler) {
-  constexpr int most_halvings = 24;
   std::vector<std::optional<SpinSample>> samples(spins.size());
   const bool whole = for_each_in_parallel(
       static_cast<Index>(spins.size()),
@@ -196,7 +219,7 @@ bool SpinTrack::is_understood(const SpinSample& a, const SpinSample& b) {
     const auto leads = [&](std::size_t i, std::size_t k) {
       const SampledMode &x = mode_of(a, list, i), &y = mode_of(b, to, k);
       if (!x.slope || !y.slope) return true;
-      double room = infinity;
+      double room = 2 * std::min(x.omega, y.omega);  // to the mirror image, −ω
       for (std::size_t l = 0; l < n; ++l) {
         if (l != i) room = std::min(room, std::abs(mode_of(a, list, l).omega - x.omega));
         if (l != k) room = std::min(room, std::abs(mode_of(b, to, l).omega - y.omega));

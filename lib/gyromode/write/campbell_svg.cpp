@@ -63,7 +63,7 @@ std::string campbell_svg(const Model& model, const Campbell& c, const Layout& l)
   }
   const double first = in_unit(c.spins.front(), l.spin_unit), last = in_unit(c.spins.back(), l.spin_unit);
   Chart chart("Campbell diagram: " + model.title, {axis_title("speed", l.spin_unit), first, last},
-              {axis_title(model.frame == Frame::turning ? "frequency in turning axes" : "frequency", l.unit), 0,
+              {axis_title(model.frame == gyromode::Frame::turning ? "frequency in turning axes" : "frequency", l.unit), 0,
                1.05 * in_unit(highest > 0 ? highest : 1, l.unit)});
   for (const Encounter& e : c.encounters) {
     if (e.flutter) chart.band(in_unit((*e.flutter)[0], l.spin_unit), in_unit((*e.flutter)[1], l.spin_unit), {"flutter", "#E00000", "", 8});

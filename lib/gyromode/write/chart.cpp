@@ -10,30 +10,18 @@ namespace gyromode::io {
 
 namespace {
 
-// The sheet and the frame in it, in px.
+// The sheet, the frame in it, and letters, in px.
+namespace sheet {
 constexpr double width = 900, height = 560, left = 78, top = 48, right = 720, bottom = 494, font = 12, letter = 0.62 * font;
-
-std::string escaped(const std::string& s) {
-  std::string out;
-  for (const char c : s) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  }
-  return out;
 }
 
 // Characters, not bytes.
-double letters(const std::string& s) {
+double length_of(const std::string& s) {
   return static_cast<double>(std::count_if(s.begin(), s.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 std::string shortened(const std::string& s, std::size_t most) {
-  if (letters(s) <= static_cast<double>(most)) return s;
+  if (length_of(s) <= static_cast<double>(most)) return s;
   std::string out;
   std::size_t count = 0;
   for (const char c : s) {
@@ -44,6 +32,20 @@ std::string shortened(const std::string& s, std::size_t most) {
 }
 
 }  // namespace
+
+std::string xml_escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      default: out += c;
+    }
+  }
+  return out;
+}
 
 std::vector<double> ticks(double a, double b) {
   constexpr double wanted = 6;
@@ -62,8 +64,14 @@ std::vector<double> ticks(double a, double b) {
 
 Chart::Chart(std::string title, Axis x, Axis y) : title_(std::move(title)), x_(std::move(x)), y_(std::move(y)) {}
 
-double Chart::px(double x) const { return left + (x - x_.from) / (x_.to - x_.from) * (right - left); }
-double Chart::py(double y) const { return bottom - (y - y_.from) / (y_.to - y_.from) * (bottom - top); }
+double Chart::px(double x) const {
+  using namespace sheet;
+  return left + (x - x_.from) / (x_.to - x_.from) * (right - left);
+}
+double Chart::py(double y) const {
+  using namespace sheet;
+  return bottom - (y - y_.from) / (y_.to - y_.from) * (bottom - top);
+}
 
 void Chart::curve(const std::vector<std::pair<double, double>>& points, const Style& style) {
   std::string path;
@@ -84,6 +92,7 @@ void Chart::curve(const std::vector<std::pair<double, double>>& points, const St
 }
 
 void Chart::band(double from, double to, const Style& style) {
+  using namespace sheet;
   const double a = std::clamp(px(from), left, right), b = std::clamp(px(to), left, right);
   bands_ += fmt::format("<rect x=\"{:.2f}\" y=\"{}\" width=\"{:.2f}\" height=\"{}\" fill=\"{}\" fill-opacity=\"0.18\"/>\n", a, top,
                         std::max(b - a, 1.5), bottom - top, style.colour);
@@ -93,7 +102,8 @@ void Chart::band(double from, double to, const Style& style) {
 
 // At (x, y) px, the text beginning there for dx > 0, ending there else.
 bool Chart::place(double x, double y, double dx, double dy, const std::string& text) {
-  const double size = letter * letters(text), at = x + dx, line = y + dy;
+  using namespace sheet;
+  const double size = letter * length_of(text), at = x + dx, line = y + dy;
   const Box box{dx > 0 ? at : at - size, line - font, dx > 0 ? at + size : at, line + 3};
   if (box.left < left + 2 || box.right > right - 2 || box.top < top + 2 || box.bottom > bottom - 2) return false;
   const bool covers = std::any_of(taken_.begin(), taken_.end(), [&](const Box& o) {
@@ -101,7 +111,8 @@ bool Chart::place(double x, double y, double dx, double dy, const std::string& t
   });
   if (covers) return false;
   taken_.push_back(box);
-  labels_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>\n", at, line, dx > 0 ? "" : " text-anchor=\"end\"", escaped(text));
+  labels_ +=
+      fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>\n", at, line, dx > 0 ? "" : " text-anchor=\"end\"", xml_escaped(text));
   return true;
 }
 
@@ -112,6 +123,7 @@ void Chart::label(double x, double y, const std::string& text) {
 }
 
 void Chart::mark(double x, double y, const std::string& shape) {
+  using namespace sheet;
   const double a = px(x), b = py(y);
   if (a < left || a > right || b < top || b > bottom) return;
   if (shape == "diamond")
@@ -122,6 +134,7 @@ void Chart::mark(double x, double y, const std::string& shape) {
 }
 
 std::string Chart::text() const {
+  using namespace sheet;
   constexpr std::size_t longest_title = 90;
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n"
@@ -131,7 +144,7 @@ std::string Chart::text() const {
       ".mark{{fill:#1b1d21;stroke:#ddd}}}}</style>\n"
       "<rect class=\"page\" width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n<clipPath id=\"frame\"><rect x=\"{4}\" y=\"{5}\" width=\"{6}\" "
       "height=\"{7}\"/></clipPath>\n<text class=\"title\" x=\"{4}\" y=\"28\">{8}</text>\n",
-      width, height, escaped(title_), font, left, top, right - left, bottom - top, escaped(shortened(title_, longest_title)));
+      width, height, xml_escaped(title_), font, left, top, right - left, bottom - top, xml_escaped(shortened(title_, longest_title)));
   out += "<g clip-path=\"url(#frame)\">\n" + bands_ + "</g>\n";
   for (const double x : ticks(x_.from, x_.to)) {
     out +=
@@ -144,16 +157,16 @@ std::string Chart::text() const {
   }
   out += "<g clip-path=\"url(#frame)\">\n" + curves_ + "</g>\n" + marks_ + "<g class=\"labels\">\n" + labels_ + "</g>\n";
   out += fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", left, top, right - left, bottom - top);
-  out +=
-      fmt::format("<text x=\"{:.0f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", 0.5 * (left + right), bottom + 42, escaped(x_.title));
+  out += fmt::format("<text x=\"{:.0f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", 0.5 * (left + right), bottom + 42,
+                     xml_escaped(x_.title));
   out += fmt::format("<text transform=\"translate(20 {:.0f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", 0.5 * (top + bottom),
-                     escaped(y_.title));
+                     xml_escaped(y_.title));
   double y = top + 14;
   for (const Style& s : legend_) {
     out +=
         fmt::format("<path d=\"M{} {:.0f} h34\" stroke=\"{}\" stroke-width=\"{}\" fill=\"none\"{}/><text x=\"{}\" y=\"{:.0f}\">{}</text>\n",
                     right + 18, y, s.colour, s.width, s.dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", s.dashes), right + 60,
-                    y + 4, escaped(shortened(s.name, 15)));
+                    y + 4, xml_escaped(shortened(s.name, 15)));
     y += 22;
   }
   return out + "</svg>\n";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -49,6 +50,8 @@ class Chart {
   std::string bands_, curves_, marks_, labels_;
 };
 
+/// Text as XML has it.
+std::string xml_escaped(std::string_view text);
 /// Round numbers from a to b, some five to eight of them.
 std::vector<double> ticks(double a, double b);
 

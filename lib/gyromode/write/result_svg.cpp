@@ -1,5 +1,7 @@
 #include "gyromode/write/result_svg.h"
 
+#include "gyromode/write/chart.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,21 +20,6 @@ struct View {
   std::string_view name;
 };
 constexpr View above{0, 1, "from above (axes 1, 2)"};
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 double reach_of(const ModesResult& r) {
   double reach = 0;
@@ -132,7 +119,7 @@ std::string modes_svg(const Model& model, const ModesResult& r) {
       "quarter{stroke:#d9822b;fill:none}"
       ".mass.now{fill:#1f5fa8}.mass.quarter{fill:#d9822b}.body{fill:#444}.frame{fill:#fff;stroke:#ddd}</style>\n";
   out += fmt::format("<rect width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#fff\"/>\n", width, height);
-  out += fmt::format("<text x=\"{:.0f}\" y=\"30\" class=\"title\">{}</text>\n", gap, escaped(model.title));
+  out += fmt::format("<text x=\"{:.0f}\" y=\"30\" class=\"title\">{}</text>\n", gap, xml_escaped(model.title));
   out += fmt::format(
       "<text x=\"{:.0f}\" y=\"52\" class=\"note\">axes that turn with the body; <tspan fill=\"#1f5fa8\">blue: t = 0</tspan>, <tspan "
       "fill=\"#d9822b\">orange: a quarter of a period later</tspan>, grey: at rest; "
