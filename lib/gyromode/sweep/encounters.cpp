@@ -11,7 +11,7 @@ namespace gyromode {
 namespace {
 
 constexpr int most_steps = 80;
-constexpr int most_halvings = 20;
+constexpr int most_looks = 20;
 constexpr double too_near = 4;  // times the errors of both frequencies: a gap below is not known
 
 // Two branches at one spin: a below b where the search began.
@@ -255,7 +255,7 @@ void walk(Search& search, const std::vector<double>& spins, Index i, Index k, bo
       if (!one_block && swapped)
         search.crossing(i, k, last, now);
       else if (!one_block)
-        search.touching(i, k, last, now, most_halvings);
+        search.touching(i, k, last, now, most_looks);
       else if (!one_sign)
         search.opposite_signs(i, k, last, now);
       else if (!swapped && last.sloped() && now.sloped() && last.slope() < 0 && now.slope() > 0 && (neighbours(last) || neighbours(now)))

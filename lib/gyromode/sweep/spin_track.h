@@ -54,7 +54,6 @@ class SpinTrack {
 
   const SpinSampler& sampler_;
   std::map<double, Point> points_;
-  double range_ = 0;
   Index branches_ = 0;
   std::map<Key, std::vector<Index>> fluttering_;  // branches that have left the axis
   bool interrupted_ = false;
