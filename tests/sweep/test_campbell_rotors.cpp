@@ -143,6 +143,18 @@ TEST(CampbellRotors, UnequalBearingsTurnACrossingIntoAVeering) {
   }
 }
 
+// The translations of a wheel on a round mount are double at every spin: no way round is theirs.
+TEST(CampbellRotors, DoubleModesAreDegenerate) {
+  CampbellOptions o;
+  o.spins = evenly(0, 600, 7);
+  o.lowest = 4;
+  const Campbell c = read_model(source_dir / "models/rotors/momentum_wheel.toml").campbell(o);
+  ASSERT_EQ(c.branches.size(), 4U);
+  std::size_t degenerate = 0;
+  for (const CampbellBranch& b : c.branches) degenerate += *b.modes.back()->whirl == Whirl::degenerate ? 1 : 0;
+  EXPECT_EQ(degenerate, 2U);
+}
+
 // Two unlike discs on a shaft, turning axes: branches of opposite energy sign meet and part; the interval is that of
 // the stability map.
 TEST(CampbellRotors, CollisionsHaveTheIntervalOfTheStabilityMap) {

@@ -58,11 +58,11 @@ Turned roots_among(const Place& at, const ComplexMatrix& x) {
   return {d.values, x * (unit * d.vectors)};
 }
 
-// At rest a double mode moves along any line and round either way.
-void mark_degenerate(std::vector<SampledMode>& modes) {
+// A double mode of one block, or at rest of any, moves along any line and round either way.
+void mark_degenerate(double spin, std::vector<SampledMode>& modes) {
   for (SampledMode& m : modes) {
     const bool other = std::any_of(modes.begin(), modes.end(), [&](const SampledMode& o) {
-      return &o != &m && std::abs(o.omega - m.omega) <= 4 * (o.error + m.error);
+      return &o != &m && (spin == 0 || o.block == m.block) && std::abs(o.omega - m.omega) <= 4 * (o.error + m.error);
     });
     if (m.whirl && other) m.whirl = Whirl::degenerate;
   }
@@ -212,7 +212,7 @@ void SpinSampler::separate(double spin, const std::vector<const Mode*>& cluster,
 SpinSample SpinSampler::at(double spin) const {
   if (reduced_) {
     if (auto sample = reduced_->at(spin, wanted_.below, wanted_.lowest)) {
-      if (spin == 0) mark_degenerate(sample->modes);
+      mark_degenerate(spin, sample->modes);
       return std::move(*sample);
     }
   }
@@ -246,7 +246,7 @@ SpinSample SpinSampler::sample_of(double spin, const ModesResult& result) const 
       sample.modes.push_back(std::move(s));
     }
   }
-  if (spin == 0) mark_degenerate(sample.modes);
+  mark_degenerate(spin, sample.modes);
   std::stable_sort(sample.modes.begin(), sample.modes.end(), [](const SampledMode& a, const SampledMode& b) { return a.omega < b.omega; });
   return sample;
 }

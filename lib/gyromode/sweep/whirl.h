@@ -14,7 +14,7 @@ enum class Whirl {
   backward,   ///< against it
   mixed,      ///< some stations this way, others that way
   planar,     ///< along a line
-  degenerate  ///< double modes at rest: any of the others, by combination
+  degenerate  ///< double modes that no symmetry parts, and at rest: any of the others, by combination
 };
 std::string_view to_string(Whirl whirl);
 

@@ -50,7 +50,7 @@ void draw(const Campbell& c, const CampbellBranch& b, const Layout& l, Chart& ch
     }
     style = now;
   }
-  if (!style) style = style_of(Whirl::planar);
+  if (!style) style = Chart::Style{"degenerate", "#CC79A7", "2 3"};
   finish();
 }
 
