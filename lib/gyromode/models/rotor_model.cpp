@@ -53,7 +53,7 @@ std::string lost_by_rounding(const Rotor& r, const Matrix& stiffness, std::size_
 
 }  // namespace
 
-RotorModel::RotorModel(Rotor rotor) : RotorModel(rotor, std::make_shared<const SpinFamily>(assembled(rotor))) {}
+RotorModel::RotorModel(const Rotor& rotor) : RotorModel(rotor, std::make_shared<const SpinFamily>(assembled(rotor))) {}
 
 RotorModel::RotorModel(const Rotor& rotor, std::shared_ptr<const SpinFamily> family)
     : DelegatingModel(model_of({family, rotor.parts().speed})), rotor_(rotor), family_(std::move(family)) {}

@@ -10,7 +10,7 @@ namespace gyromode {
 class RotorModel : public DelegatingModel {
  public:
   /// @throws LawBroken
-  explicit RotorModel(Rotor rotor);
+  explicit RotorModel(const Rotor& rotor);
 
   const Rotor& rotor() const { return rotor_; }
   std::string_view in_words() const override { return "rotor"; }
