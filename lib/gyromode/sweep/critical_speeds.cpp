@@ -1,7 +1,8 @@
 #include "gyromode/sweep/critical_speeds.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/structure/structure.h"
+#include "gyromode/modes/shape.h"
+#include "gyromode/sweep/family_structure.h"
 #include "gyromode/sweep/pencil.h"
 
 #include <fmt/format.h>
@@ -15,17 +16,6 @@ namespace gyromode {
 namespace {
 
 bool empty_or_zero(const Matrix& a) { return a.size() == 0 || a.cwiseAbs().maxCoeff() == 0; }
-
-// Couplings of M, G₁, K₀ and K₂ together: those at a speed where none cancels.
-Structure structure_of(const SpinFamily& f) {
-  const Index n = f.mass.rows();
-  Matrix k = f.stiffness.cwiseAbs();
-  if (f.stiffness_per_spin2.size() > 0) k += f.stiffness_per_spin2.cwiseAbs();
-  const Matrix g = f.gyroscopic_per_spin.size() > 0 ? f.gyroscopic_per_spin : Matrix::Zero(n, n);
-  Matrix m = f.mass.cwiseAbs();
-  m.diagonal().array() += 2 * m.rowwise().sum().maxCoeff();  // positive definite with the same couplings
-  return analyse(System(std::move(m), g, std::move(k), f.labels), HiddenSearch::never);
-}
 
 // What the parts of the model have found and counted.
 struct Tally {
@@ -65,9 +55,7 @@ void add_part(const SpeedPencil& pencil, const CriticalOptions& o, Index n, Crit
     c.error_bound = pencil.error_of(root) / (2 * c.speed);
     c.shape = ComplexVector::Zero(n);
     c.shape(pencil.coordinates()) = root.shape;
-    Index at = 0;
-    c.shape.cwiseAbs().maxCoeff(&at);
-    c.shape /= Complex(c.shape(at));
+    c.shape = normalised(std::move(c.shape));
     all.speeds.push_back(std::move(c));
     ++found;
   }

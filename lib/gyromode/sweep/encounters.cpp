@@ -1,10 +1,10 @@
 #include "gyromode/sweep/encounters.h"
 
 #include "gyromode/base/rounding.h"
+#include "gyromode/sweep/secant_bracket.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace gyromode {
 
@@ -49,7 +49,7 @@ class Search {
     const SpinTrack::Point& p = track_.at(spin);
     return {&p, SpinTrack::mode(p, i), SpinTrack::mode(p, k)};
   }
-  void crossing(Index i, Index k, Pair lo, Pair hi);
+  void crossing(Index i, Index k, const Pair& lo, const Pair& hi);
   void touching(Index i, Index k, const Pair& lo, const Pair& hi, int depth);
   void veering(Index i, Index k, Pair lo, Pair hi);
   void opposite_signs(Index i, Index k, Pair lo, Pair hi);
@@ -78,30 +78,19 @@ double signed_square(const Pair& p, double about) {
   return -4 * growth * growth;
 }
 
-// Root of the distance by secants, kept in the bracket (Illinois).
-void Search::crossing(Index i, Index k, Pair lo, Pair hi) {
-  double f_lo = lo.distance(), f_hi = hi.distance();
-  Pair best = std::abs(f_lo) < std::abs(f_hi) ? lo : hi;
-  for (int step = 0, side = 0; step < most_steps; ++step) {
-    const double t = (lo.spin() * f_hi - hi.spin() * f_lo) / (f_hi - f_lo);
-    const double width = hi.spin() - lo.spin();
-    if (!(t > lo.spin() && t < hi.spin()) || width <= 4 * epsilon * std::max(std::abs(lo.spin()), std::abs(hi.spin()))) break;
+// Root of the distance by secants.
+void Search::crossing(Index i, Index k, const Pair& lo, const Pair& hi) {
+  SecantBracket bracket(lo.spin(), lo.distance(), hi.spin(), hi.distance());
+  Pair best = std::abs(lo.distance()) < std::abs(hi.distance()) ? lo : hi;
+  for (int step = 0; step < most_steps; ++step) {
+    const double t = bracket.next();
+    if (!bracket.holds(t) || bracket.is_closed()) break;
     const Pair now = at(t, i, k);
     if (!now.both()) break;
     const double f = now.distance();
     if (std::abs(f) <= std::abs(best.distance())) best = now;
     if (std::abs(f) <= now.error()) break;
-    if ((f < 0) == (f_lo < 0)) {
-      lo = now;
-      f_lo = f;
-      if (side == -1) f_hi /= 2;
-      side = -1;
-    } else {
-      hi = now;
-      f_hi = f;
-      if (side == 1) f_lo /= 2;
-      side = 1;
-    }
+    bracket.narrow(t, f);
   }
   add(EncounterKind::crossing, i, k, best, 0);
 }
@@ -134,12 +123,12 @@ void Search::touching(Index i, Index k, const Pair& lo, const Pair& hi, int dept
 
 // Root of the derivative of the square of the distance.
 void Search::veering(Index i, Index k, Pair lo, Pair hi) {
-  double f_lo = lo.square_slope(), f_hi = hi.square_slope();
+  SecantBracket bracket(lo.spin(), lo.square_slope(), hi.spin(), hi.square_slope());
   Pair best = lo.distance() < hi.distance() ? lo : hi;
-  double curvature = (f_hi - f_lo) / (hi.spin() - lo.spin());
-  for (int step = 0, side = 0; step < most_steps; ++step) {
-    const double t = (lo.spin() * f_hi - hi.spin() * f_lo) / (f_hi - f_lo);
-    if (!(t > lo.spin() && t < hi.spin())) break;
+  double curvature = (hi.square_slope() - lo.square_slope()) / (hi.spin() - lo.spin());
+  for (int step = 0; step < most_steps; ++step) {
+    const double t = bracket.next();
+    if (!bracket.holds(t)) break;
     const Pair now = at(t, i, k);
     if (!now.both() || !now.sloped()) break;
     const double f = now.square_slope();
@@ -149,17 +138,7 @@ void Search::veering(Index i, Index k, Pair lo, Pair hi) {
     if (now.distance() <= best.distance()) best = now;
     const double width = best.distance() / std::sqrt(std::max(curvature, 1e-300));
     if (std::abs(f) <= 1e-6 * width * curvature || (now.distance() == before && step > 4)) break;
-    if (f < 0) {
-      lo = now;
-      f_lo = f;
-      if (side == -1) f_hi /= 2;
-      side = -1;
-    } else {
-      hi = now;
-      f_hi = f;
-      if (side == 1) f_lo /= 2;
-      side = 1;
-    }
+    (bracket.narrow(t, f) ? lo : hi) = now;
   }
   if (!neighbours(best)) return;
   const double width = best.distance() / std::sqrt(std::max(curvature, 1e-300));

@@ -1,6 +1,7 @@
 #include "gyromode/sweep/excitation.h"
 
 #include "gyromode/sweep/critical_speeds.h"
+#include "gyromode/sweep/secant_bracket.h"
 
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
@@ -42,26 +43,17 @@ Intersection refined(SpinTrack& track, Index branch, double order, double lo, do
     return m ? std::optional(m->omega - order * std::abs(spin)) : std::nullopt;
   };
   constexpr int most = 60;
-  double f_lo = *height(lo), f_hi = *height(hi), t = lo;
+  SecantBracket bracket(lo, *height(lo), hi, *height(hi));
+  double t = lo;
   const auto error_at = [&](double spin) { return SpinTrack::mode(track.at(spin), branch)->error; };
-  for (int step = 0, side = 0; step < most; ++step) {
-    const double next = (lo * f_hi - hi * f_lo) / (f_hi - f_lo);
-    if (!(next > lo && next < hi)) break;
+  for (int step = 0; step < most; ++step) {
+    const double next = bracket.next();
+    if (!bracket.holds(next)) break;
     const auto f = height(next);
     if (!f) break;
     t = next;
-    if (std::abs(*f) <= error_at(t) || hi - lo <= 4 * epsilon * std::abs(t)) break;
-    if ((*f < 0) == (f_lo < 0)) {
-      lo = t;
-      f_lo = *f;
-      if (side == -1) f_hi /= 2;
-      side = -1;
-    } else {
-      hi = t;
-      f_hi = *f;
-      if (side == 1) f_lo /= 2;
-      side = 1;
-    }
+    if (std::abs(*f) <= error_at(t) || bracket.width() <= 4 * epsilon * std::abs(t)) break;
+    bracket.narrow(t, *f);
   }
   return {order, t, branch, order * std::abs(t), error_at(t), SpinTrack::mode(track.at(t), branch)->whirl};
 }

@@ -4,6 +4,7 @@
 #include "gyromode/dense/inertia.h"
 #include "gyromode/lapack/small.h"
 #include "gyromode/lapack/symmetric.h"
+#include "gyromode/modes/shape.h"
 #include "gyromode/sweep/family_structure.h"
 
 #include <algorithm>
@@ -72,11 +73,10 @@ void ReducedFamily::add_block(Index number, const Matrix& shapes) {
   blocks_.push_back(std::move(b));
 }
 
-std::optional<ReducedFamily> ReducedFamily::from(std::shared_ptr<const SpinFamily> family, const FamilyBlocks& blocks,
+std::optional<ReducedFamily> ReducedFamily::from(const SpinFamily& family, const FamilyBlocks& blocks,
                                                  const std::vector<SpinSample>& solved, const std::vector<OrbitCoordinates>& places) {
   ReducedFamily r;
-  if (!all_stable(solved) || !r.take(*family)) return std::nullopt;
-  r.family_ = std::move(family);
+  if (!all_stable(solved) || !r.take(family)) return std::nullopt;
   r.places_ = places;
   r.usual_ = solved.front();
   r.usual_.modes.clear();
@@ -146,11 +146,7 @@ SampledMode ReducedFamily::sampled(const Root& root, double spin, double apart) 
   m.error = std::min(rho, rho * rho / (form * apart)) / form + rounding_at(w);
   m.slope = w * per_spin / form;
   m.block = b.number;
-  const Vector x = b.basis * y;
-  Index at = 0;
-  x.cwiseAbs().maxCoeff(&at);
-  m.shape = axes_.given(x.cast<Complex>());
-  m.shape /= Complex(m.shape(at));
+  m.shape = normalised(axes_.given((b.basis * y).cast<Complex>()));
   m.whirl = whirl_of(m.shape, places_);
   return m;
 }

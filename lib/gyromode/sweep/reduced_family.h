@@ -21,8 +21,8 @@ namespace gyromode {
 class ReducedFamily {
  public:
   /// Nothing where the family is not of that kind. `solved`: samples with shapes, all stable.
-  static std::optional<ReducedFamily> from(std::shared_ptr<const SpinFamily> family, const FamilyBlocks& blocks,
-                                           const std::vector<SpinSample>& solved, const std::vector<OrbitCoordinates>& places);
+  static std::optional<ReducedFamily> from(const SpinFamily& family, const FamilyBlocks& blocks, const std::vector<SpinSample>& solved,
+                                           const std::vector<OrbitCoordinates>& places);
 
   /// The modes below `below`, or the lowest so many, counted in the whole family; their errors hold the residuals.
   /// Nothing where the count is another, or where residuals add more than 10⁻¹⁰ to what rounding does to a frequency.
@@ -51,7 +51,6 @@ class ReducedFamily {
   double rounding_at(double omega) const;
   Matrix impedance(double omega, double spin) const;
 
-  std::shared_ptr<const SpinFamily> family_;
   QuadratureAxes axes_;
   Matrix stiffness_, mass_, constant_, per_spin_;  // K, M, B₀, B₁, n × n, real by T
   lapack::Cholesky factor_{Matrix()};              // of K

@@ -3,6 +3,7 @@
 #include "gyromode/base/parallel.h"
 #include "gyromode/base/rounding.h"
 #include "gyromode/lapack/small.h"
+#include "gyromode/modes/shape.h"
 #include "gyromode/sweep/quadrature_axes.h"
 
 #include <algorithm>
@@ -80,12 +81,6 @@ double highest_of(const ModesResult& result) {
   return result.modes.empty() || result.modes.back().omega == 0 ? 1 : result.modes.back().omega;
 }
 
-ComplexVector largest_one(const ComplexVector& x) {
-  Index at = 0;
-  const double size = x.cwiseAbs().maxCoeff(&at);
-  return size > 0 ? ComplexVector(x / x(at)) : x;
-}
-
 }  // namespace
 
 SpinSampler::SpinSampler(SpinSource source, SampledModes wanted, double first, double last) : source_(std::move(source)), wanted_(wanted) {
@@ -121,7 +116,7 @@ void SpinSampler::reduce(double first, double last) {
     for (std::size_t k = 0; k < missing.size(); ++k) samples.insert_or_assign(missing[k], sample_of(missing[k], found[k]));
     std::vector<SpinSample> all;
     for (const auto& [spin, sample] : samples) all.push_back(sample);
-    reduced_ = ReducedFamily::from(source_.family, *blocks_, all, source_.places);
+    reduced_ = ReducedFamily::from(*source_.family, *blocks_, all, source_.places);
     if (!reduced_ || static_cast<double>(reduced_->order()) > worth_it * static_cast<double>(source_.family->mass.rows())) {
       reduced_.reset();
       return;
@@ -172,7 +167,7 @@ SampledMode SpinSampler::sampled(double spin, double omega, const Mode& mode, co
   s.error = mode.error_bound;
   s.energy_sign = mode.energy_sign;
   s.multiplicity = mode.multiplicity;
-  s.shape = largest_one(shape);
+  s.shape = normalised(shape);
   s.whirl = whirl_of(s.shape, source_.places);
   if (source_.family) {
     const Place at{*source_.family, spin, omega};
