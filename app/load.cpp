@@ -65,6 +65,29 @@ Vector amplitude_of(const std::vector<std::string>& texts, const Labels& labels)
   return f;
 }
 
+std::vector<Unbalance> unbalances_of(const std::vector<std::string>& texts) {
+  std::vector<Unbalance> all;
+  for (const std::string& text : texts) {
+    for (const std::string& piece : parted(text)) {
+      const LabelAndValue one = label_and_value(piece);
+      if (!one.equals || one.label.empty())
+        throw UsageError(fmt::format("--unbalance {}: '{}' where PLACE=UNBALANCE was expected, such as disk2=1e-4", text, piece));
+      const std::size_t at = one.value.rfind('@');
+      const auto product = parse_quantity(one.value.substr(0, at), Dimension::unbalance);
+      const auto phase = at == std::string::npos ? std::optional(0.0) : parse_quantity(one.value.substr(at + 1), Dimension::angle);
+      if (!product) {
+        throw UsageError(fmt::format("--unbalance {}: '{}' is no unbalance: {} was expected", text, one.value.substr(0, at),
+                                     form_of(Dimension::unbalance)));
+      }
+      if (!phase)
+        throw UsageError(
+            fmt::format("--unbalance {}: '{}' is no phase: {} was expected", text, one.value.substr(at + 1), form_of(Dimension::angle)));
+      all.push_back({one.label, *product, *phase});
+    }
+  }
+  return all;
+}
+
 std::vector<BoomPoint> points_of(const std::vector<std::string>& texts) {
   std::vector<BoomPoint> points;
   for (const std::string& text : texts) {

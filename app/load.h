@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/appendage/parts.h"
-#include "gyromode/motion/state.h"
+#include "gyromode/models/requests.h"
 #include "gyromode/base/labels.h"
 
 #include <string>
@@ -15,6 +15,9 @@ std::vector<Force> forces_of(const std::vector<std::string>& texts, const Labels
 
 /// "LABEL=F,LABEL=F": the amplitude of a steady force, all of the texts together.
 Vector amplitude_of(const std::vector<std::string>& texts, const Labels& labels);
+
+/// "disk2=1e-4,station4=72 g mm@90deg": unbalances, kg m, with phases. Throws UsageError.
+std::vector<Unbalance> unbalances_of(const std::vector<std::string>& texts);
 
 /// "cable1@0.5", "beam1@1", "mass2".
 std::vector<BoomPoint> points_of(const std::vector<std::string>& texts);

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 
 namespace gyromode::app {
@@ -21,7 +22,8 @@ struct Options {
   OutputOption output;
   std::string initial, times, frequencies;
   std::optional<std::string> until, step;
-  std::vector<std::string> forces, points;
+  std::vector<std::string> forces, points, unbalances;
+  std::string spin;
   bool rates = false;
 };
 
@@ -44,13 +46,40 @@ FrequencyReport swept(const Model& m, const Options& o, const Progress& progress
   return m.frequency_response({amplitude_of(o.forces, m.labels()), frequency_grid("--frequencies", o.frequencies), progress});
 }
 
-ExitCode run(const Options& o) {
+// Those of --spin, else that of the model.
+Vector speeds_of(const Options& o, const Model& m) {
+  if (!o.spin.empty()) return frequency_grid("--spin", o.spin);
+  if (!m.spin) throw UsageError("--unbalance needs speeds: --spin A:B:N, such as 0:6000rpm:200");
+  return Vector::Constant(1, std::abs(*m.spin));
+}
+
+ExitCode run_unbalance(const Options& o) {
+  if (!o.initial.empty() || o.until || o.step || !o.times.empty() || !o.points.empty() || !o.forces.empty() || !o.frequencies.empty())
+    throw UsageError("--unbalance is the steady response over speeds: it goes with --spin A:B:N, and no forces, frequencies or times");
+  UnbalanceRequest request;
+  request.masses = unbalances_of(o.unbalances);
+  Job job(o.source, o.output);
+  const UnbalanceReport report = job.answer([&](const Model& m, const Progress& progress) {
+    request.speeds = speeds_of(o, m);
+    request.progress = progress;
+    return m.unbalance_response(request);
+  });
+  o.output.write(document(job.model(), report, job.timings(), o.output.layout(o.spin.empty() ? Format::table : Format::csv)));
+  for (const std::string& remark : report.remarks()) o.output.say(remark);
+  return report.response.interrupted ? job.interrupted() : ExitCode::done;
+}
+
+ExitCode run(const Options& given) {
+  Options o = given;
+  o.output.pictures = true;
+  if (!o.unbalances.empty()) return run_unbalance(o);
+  if (!o.spin.empty()) throw UsageError("--spin goes with --unbalance PLACE=UNBALANCE");
   const bool sweep = !o.frequencies.empty();
   if (sweep && (!o.initial.empty() || o.until || o.step || !o.times.empty() || !o.points.empty()))
     throw UsageError("--frequencies is the response at steady frequencies: no initial state, no times");
   if (sweep && o.forces.empty()) throw UsageError("--frequencies needs a force: --force LABEL=F");
   if (!sweep && o.initial.empty() && o.forces.empty())
-    throw UsageError("nothing moves: give --initial FILE.csv (columns label,q,qdot) or --force");
+    throw UsageError("nothing moves: give --initial FILE.csv (columns label,q,qdot), --force, or --unbalance");
   Job job(o.source, o.output);
   if (sweep) {
     const FrequencyReport report = job.answer([&](const Model& m, const Progress& p) { return swept(m, o, p); });
@@ -71,7 +100,7 @@ ExitCode run(const Options& o) {
 
 void add_response(CLI::App& program, int& code) {
   CLI::App* verb = program.add_subcommand(
-      "response", "Motion over time from initial conditions and forces, mode by mode; or the response to forces at steady frequencies");
+      "response", "Motion over time from initial conditions and forces, mode by mode; or the steady response to forces, or to unbalance");
   auto o = std::make_shared<Options>();
   o->source.add_to(*verb);
   verb->add_option("--initial", o->initial, "Initial displacements and velocities: CSV with the columns label,q,qdot")
@@ -84,6 +113,13 @@ void add_response(CLI::App& program, int& code) {
                    "in double quotes, or #N for its position")
       ->type_name("FORCE")
       ->take_all();
+  verb->add_option(
+          "--unbalance", o->unbalances,
+          "Rotors: masses out of balance, kg m or with a unit (g mm), at disk1, station4, …, with @phase: the response Ω²·m·e over "
+          "the speeds of --spin, points added beside critical speeds")
+      ->type_name("PLACE=U[@PHASE],…")
+      ->take_all();
+  verb->add_option("--spin", o->spin, "With --unbalance: N speeds from A to B; without, the speed of the model")->type_name("A:B:N");
   verb->add_option("--frequencies", o->frequencies,
                    "The response q of q e^{jωt} at N frequencies from A to B instead, points added beside resonances")
       ->type_name("A:B:N");
@@ -98,6 +134,7 @@ void add_response(CLI::App& program, int& code) {
       "-o tilt.json\n"
       "  gyromode response models/three_springs.toml --force impulse:y=1 --until 0.1 --step 0.001\n"
       "  gyromode response models/three_springs.toml --force x=1 --frequencies 10Hz:200Hz:100 -o response.csv\n"
+      "  gyromode response models/rotors/two_discs.toml --unbalance disk2=1e-4 --spin 0:6000rpm:200 -o unbalance.csv\n"
       "  gyromode response models/geos.toml --force impulse:theta1=10 --points cable1@1 --until 120 --step 1");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
 }

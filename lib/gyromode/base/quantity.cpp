@@ -48,6 +48,9 @@ constexpr Unit bending_units[] = {{"", 1}, {"N m²", 1}, {"N m2", 1}, {"N m^2", 
 constexpr Unit tilt_units[] = {{"", 1}, {"N m/rad", 1}, {"Nm/rad", 1}, {"kN m/rad", 1e3}};
 constexpr Unit modulus_units[] = {{"", 1}, {"Pa", 1}, {"MPa", 1e6}, {"GPa", 1e9}, {"N/m²", 1}, {"N/m2", 1}, {"N/mm²", 1e6}, {"N/mm2", 1e6}};
 constexpr Unit density_units[] = {{"", 1}, {"kg/m³", 1}, {"kg/m3", 1}, {"kg/m^3", 1}, {"g/cm³", 1e3}, {"g/cm3", 1e3}};
+constexpr Unit unbalance_units[] = {{"", 1},         {"kg m", 1},     {"kg mm", 1e-3}, {"g m", 1e-3},  {"g cm", 1e-5}, {"g mm", 1e-6},
+                                    {"kg·m", 1},     {"kg·mm", 1e-3}, {"g·m", 1e-3},   {"g·cm", 1e-5}, {"g·mm", 1e-6}, {"kg.m", 1},
+                                    {"kg.mm", 1e-3}, {"g.m", 1e-3},   {"g.cm", 1e-5},  {"g.mm", 1e-6}};
 constexpr Unit ratio_units[] = {{"", 1}, {"1", 1}, {"%", 1e-2}};
 
 std::span<const Unit> units_of(Dimension d) {
@@ -65,6 +68,7 @@ std::span<const Unit> units_of(Dimension d) {
     case Dimension::tilt_stiffness: return tilt_units;
     case Dimension::modulus: return modulus_units;
     case Dimension::density: return density_units;
+    case Dimension::unbalance: return unbalance_units;
     case Dimension::ratio: return ratio_units;
     default: return frequency_units;
   }
@@ -128,6 +132,7 @@ std::string_view form_of(Dimension dimension) {
     case Dimension::tilt_stiffness: return "a number in N m/rad, or one with a unit: N m/rad, kN m/rad";
     case Dimension::modulus: return "a number in Pa, or one with a unit: Pa, MPa, GPa, N/mm²";
     case Dimension::density: return "a number in kg/m³, or one with a unit: kg/m³, g/cm³";
+    case Dimension::unbalance: return "a number in kg m, or one with a unit: kg m, g m, g cm, g mm";
     case Dimension::ratio: return "a number";
     default: return frequency_form;
   }

@@ -15,7 +15,7 @@ inline constexpr std::string_view frequency_form =
     "a number in rad/s, or one with a unit: rad/s, 1/s, Hz, mHz, kHz, MHz, rpm, krpm, rev/s, deg/s";
 
 /// What a number of a model file measures, in SI: rad/s, m, rad, kg, kg/m, kg m², N/m, N m², s, N,
-/// N m, N m/rad, Pa, kg/m³, 1.
+/// N m, N m/rad, Pa, kg/m³, kg m, 1.
 enum class Dimension {
   frequency,
   length,
@@ -31,6 +31,7 @@ enum class Dimension {
   tilt_stiffness,
   modulus,
   density,
+  unbalance,
   ratio
 };
 

@@ -1,6 +1,7 @@
 #include "gyromode/models/condensed_model.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/models/unbalance.h"
 #include "gyromode/lapack/small.h"
 #include "gyromode/models/response_facts.h"
 #include "gyromode/modes/condensed.h"
@@ -105,13 +106,18 @@ StabilityReport CondensedModel::stability(const Progress& progress) const {
 
 CriticalSpeeds CondensedModel::critical_speeds(const CriticalOptions& options) const {
   if (!matrices_.family || !matrices_.spin) return ModelKind::critical_speeds(options);
-  return gyromode::critical_speeds(*matrices_.family, options);
+  return gyromode::critical_speeds(*matrices_.family, options, matrices_.orbits);
 }
 
 std::vector<Parameter> CondensedModel::named_parameters() const { return matrices_.named(); }
 
+ModelKind::TurningForce CondensedModel::unbalance(const std::vector<Unbalance>& masses) const {
+  return matrices_.orbits.empty() ? ModelKind::unbalance(masses) : unbalance_at(matrices_.orbits, labels(), masses);
+}
+
 SpinSource CondensedModel::spin_source() const {
-  return matrices_.family && matrices_.spin ? spin_source_of(matrices_.family) : ModelKind::spin_source();
+  return matrices_.family && matrices_.spin ? spin_source_of(matrices_.family, matrices_.orbits, matrices_.orbits)
+                                            : ModelKind::spin_source();
 }
 
 StructureReport CondensedModel::structure(std::optional<double> at) const {

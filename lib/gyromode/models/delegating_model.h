@@ -21,6 +21,7 @@ class DelegatingModel : public ModelKind {
   StabilityReport stability(const Progress& progress) const override { return made_->stability(progress); }
   StructureReport structure(std::optional<double> at) const override { return made_->structure(at); }
   CriticalSpeeds critical_speeds(const CriticalOptions& options) const override { return made_->critical_speeds(options); }
+  TurningForce unbalance(const std::vector<Unbalance>& masses) const override { return made_->unbalance(masses); }
   std::vector<OrbitCoordinates> orbits() const override { return made_->orbits(); }
   std::vector<EnergyShare> energy_shares(const Mode& mode, const std::vector<ModelOutline>& outlines) const override {
     return made_->energy_shares(mode, outlines);

@@ -17,7 +17,8 @@ class ModelKind;
 /// their parameters.
 struct FamilyAtSpin {
   std::shared_ptr<const SpinFamily> family;
-  std::optional<double> spin;  ///< nothing: G₁ and K₂ are empty
+  std::optional<double> spin;                 ///< nothing: G₁ and K₂ are empty
+  std::vector<OrbitCoordinates> orbits = {};  ///< displacements across the axis of one place each, as their maker says
 
   std::vector<Parameter> parameters() const;
   /// The spin, where there is one.
@@ -31,6 +32,7 @@ struct FamilyAtSpin {
 std::shared_ptr<const ModelKind> model_of(FamilyAtSpin matrices);
 
 /// What a family says to a sweep over its spin.
-SpinSource spin_source_of(std::shared_ptr<const SpinFamily> family, std::vector<OrbitCoordinates> places = {});
+SpinSource spin_source_of(std::shared_ptr<const SpinFamily> family, std::vector<OrbitCoordinates> places,
+                          std::vector<OrbitCoordinates> transverse);
 
 }  // namespace gyromode

@@ -3,6 +3,7 @@
 #include "gyromode/system/plausibility.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/models/unbalance.h"
 #include "gyromode/models/response_facts.h"
 #include "gyromode/stability/stability_margin.h"
 #include "gyromode/structure/inertia_of_k.h"
@@ -55,11 +56,16 @@ std::vector<std::string> MatricesModel::doubts(bool fixed_axes) const {
 
 CriticalSpeeds MatricesModel::critical_speeds(const CriticalOptions& options) const {
   if (!matrices_.family || !matrices_.spin) return ModelKind::critical_speeds(options);
-  return gyromode::critical_speeds(*matrices_.family, options);
+  return gyromode::critical_speeds(*matrices_.family, options, matrices_.orbits);
+}
+
+ModelKind::TurningForce MatricesModel::unbalance(const std::vector<Unbalance>& masses) const {
+  return matrices_.orbits.empty() ? ModelKind::unbalance(masses) : unbalance_at(matrices_.orbits, labels(), masses);
 }
 
 SpinSource MatricesModel::spin_source() const {
-  return matrices_.family && matrices_.spin ? spin_source_of(matrices_.family) : ModelKind::spin_source();
+  return matrices_.family && matrices_.spin ? spin_source_of(matrices_.family, matrices_.orbits, matrices_.orbits)
+                                            : ModelKind::spin_source();
 }
 
 // K₀ + Ω²K₂: those of Ω > 0, and their mirror images.

@@ -33,6 +33,8 @@ class MatricesModel : public ModelKind {
   StabilityReport stability(const Progress& progress) const override;
   StructureReport structure(std::optional<double> at) const override;
   CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
+  TurningForce unbalance(const std::vector<Unbalance>& masses) const override;
+  std::vector<OrbitCoordinates> orbits() const override { return matrices_.orbits; }
   SpinSource spin_source() const override;
   std::vector<double> divergence_thresholds(std::string_view key, double a, double b) const override;
   void require_motion() const override {}

@@ -66,14 +66,16 @@ FamilyAtSpin FamilyAtSpin::with(const std::vector<ParameterValue>& values) const
     require(is_spin || set_entries(entries_of(f), v), v);
   }
   for (const ParameterValue& v : values) require_kept(v.key == "spin" && spin ? *at == v.value : entries_have(entries_of(f), v), v);
-  return {std::make_shared<const SpinFamily>(std::move(f)), at};
+  return {std::make_shared<const SpinFamily>(std::move(f)), at, orbits};
 }
 
-SpinSource spin_source_of(std::shared_ptr<const SpinFamily> family, std::vector<OrbitCoordinates> places) {
+SpinSource spin_source_of(std::shared_ptr<const SpinFamily> family, std::vector<OrbitCoordinates> places,
+                          std::vector<OrbitCoordinates> transverse) {
   SpinSource source;
-  source.modes = [family](double spin, const ModesOptions& options) { return model_of({family, spin})->modes(options); };
+  source.modes = [family](double spin, const ModesOptions& options) { return model_of({family, spin, {}})->modes(options); };
   source.family = std::move(family);
   source.places = std::move(places);
+  source.transverse = std::move(transverse);
   return source;
 }
 

@@ -1,10 +1,13 @@
 #include "gyromode/models/model.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/models/matrices.h"
 #include "gyromode/models/model_kind.h"
 #include "gyromode/models/spacecraft_model.h"
 #include "gyromode/models/stability_over.h"
 #include "gyromode/system/plausibility.h"
+
+#include <cmath>
 
 namespace gyromode {
 
@@ -47,6 +50,23 @@ Campbell Model::campbell(const CampbellOptions& options) const { return gyromode
 StructureReport Model::structure(std::optional<double> at) const { return body->structure(at); }
 ResponseReport Model::response(const MotionRequest& request) const { return body->response(request); }
 FrequencyReport Model::frequency_response(const FrequencyRequest& request) const { return body->frequency_response(request); }
+
+UnbalanceReport Model::unbalance_response(const UnbalanceRequest& request) const {
+  ModelKind::TurningForce f = body->unbalance(request.masses);
+  if (frame == Frame::unknown)
+    throw NotApplicable(
+        "an unbalanced mass goes round in fixed axes and rests in turning ones: the model must say frame = \"fixed\" or \"turning\"");
+  UnbalanceReport r;
+  r.masses = request.masses;
+  r.labels = labels();
+  r.places = body->orbits();
+  r.speed_ratio = f.speed_ratio;
+  const double order = frame == Frame::turning ? f.speed_ratio - 1 : f.speed_ratio;
+  if (order < 0) f.per_speed2 = f.per_speed2.conjugate().eval();
+  r.response = synchronous_response(body->spin_source(), {std::move(f.per_speed2), std::abs(order)}, request.speeds, request.progress);
+  return r;
+}
+
 std::vector<std::string> Model::doubts() const {
   std::vector<std::string> all = body->doubts(frame == Frame::fixed);
   for (std::string& doubt : doubts_on(labels())) all.push_back(std::move(doubt));

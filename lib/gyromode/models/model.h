@@ -98,6 +98,11 @@ struct Model {
   /// The response to f e^{jωt} over a grid of ω. @throws NotApplicable but for matrix models of second order
   FrequencyReport frequency_response(const FrequencyRequest& request) const;
 
+  /// The response to masses out of balance over speeds: Ω²f e^{jΩt}, in turning axes a force at rest. @throws
+  /// NotApplicable for models without orbits, or whose axes are not said to be fixed or turning; InvalidArgument where
+  /// a place is not known
+  UnbalanceReport unbalance_response(const UnbalanceRequest& request) const;
+
   /// What looks like a mistake though it is lawful, for people, a sentence each: softening without Coriolis forces,
   /// millimetres with kilograms; with modes found, in what unit the `known` frequencies may be.
   std::vector<std::string> doubts() const;

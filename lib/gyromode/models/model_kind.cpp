@@ -43,6 +43,10 @@ CriticalSpeeds ModelKind::critical_speeds(const CriticalOptions&) const {
       "depends on the speed");
 }
 
+ModelKind::TurningForce ModelKind::unbalance(const std::vector<Unbalance>&) const {
+  throw NotApplicable("unbalance needs places that go round: a rotor, or matrices with 'orbits' = [[\"x1\", \"y1\"], …] in the model file");
+}
+
 namespace {
 
 // Of every coordinate the real part of its term of XᴴAX, relative to the sum; not a number where that is 0.

@@ -52,6 +52,15 @@ class ModelKind {
   /// Throws NotApplicable unless it is a family of matrices with a spin.
   virtual CriticalSpeeds critical_speeds(const CriticalOptions& options) const;
 
+  /// Masses out of balance as a force on the coordinates, in axes that do not turn: Re(Ω²f e^{jrΩt}).
+  struct TurningForce {
+    ComplexVector per_speed2;  ///< f, kg m
+    double speed_ratio = 1;    ///< r, of the shaft that they are on
+  };
+  /// Throws NotApplicable unless it has places with orbits; InvalidArgument where a place is none of them, or shafts of
+  /// different speed are named.
+  virtual TurningForce unbalance(const std::vector<Unbalance>& masses) const;
+
   /// Displacements across the axis of its stations, whose orbits say how a mode whirls.
   virtual std::vector<OrbitCoordinates> orbits() const { return {}; }
   /// How the energies of a mode with its shape are shared among the parts: by coordinates of matrices. `outlines` as in

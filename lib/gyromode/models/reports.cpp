@@ -20,6 +20,20 @@ std::vector<std::string> ResponseReport::doubts() const {
   return all;
 }
 
+std::vector<std::string> UnbalanceReport::remarks() const {
+  std::vector<std::string> all;
+  for (const SynchronousPoint& p : response.points) {
+    if (!p.participation || p.added || p.driven == Driven::no) continue;
+    const char* what = p.resonance()
+                           ? "a critical speed that the unbalance drives: the response is unbounded there"
+                           : "a critical speed, and whether the unbalance drives it cannot be told: the limit from both sides is given";
+    all.push_back(fmt::format("speed {:.17g} rad/s of the grid is {}, participation {:.1e}", p.speed, what, *p.participation));
+  }
+  if (response.coverage.status != CoverageStatus::complete && !response.coverage.reason.empty())
+    all.push_back("critical speeds are not certified complete: " + response.coverage.reason);
+  return all;
+}
+
 std::vector<std::string> FrequencyReport::remarks() const {
   std::vector<std::string> all;
   for (const FrequencyPoint& p : response.points) {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "gyromode/motion/frequency_response.h"
+#include "gyromode/models/requests.h"
 #include "gyromode/motion/response.h"
 #include "gyromode/spacecraft/boom_facts.h"
 #include "gyromode/spectrum/result.h"
 #include "gyromode/structure/realify.h"
 #include "gyromode/stability/stability_map.h"
 #include "gyromode/sweep/critical_speeds.h"
+#include "gyromode/sweep/synchronous_response.h"
 
 #include <array>
 #include <optional>
@@ -108,6 +110,18 @@ struct FrequencyReport {
   FrequencyResponse response;  ///< point by point
 
   /// What is to be said of points of the grid that are on a mode, for people.
+  std::vector<std::string> remarks() const;
+};
+
+/// The response to unbalance over speeds.
+struct UnbalanceReport {
+  std::vector<Unbalance> masses;         ///< as asked
+  Labels labels;                         ///< of the entries of q
+  std::vector<OrbitCoordinates> places;  ///< whose orbits are of interest
+  double speed_ratio = 1;                ///< of what turns, to the speed
+  SynchronousResponse response;          ///< point by point
+
+  /// What is to be said of points of the grid that are on a critical speed, for people.
   std::vector<std::string> remarks() const;
 };
 

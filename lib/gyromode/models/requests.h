@@ -4,6 +4,7 @@
 #include "gyromode/base/progress.h"
 #include "gyromode/motion/state.h"
 
+#include <string>
 #include <vector>
 
 namespace gyromode {
@@ -23,6 +24,20 @@ struct FrequencyRequest {
   Vector amplitude;   ///< f of f e^{jωt}, n
   Vector grid;        ///< rad per unit of time, ascending
   Progress progress;  ///< told frequencies
+};
+
+/// A mass out of balance: mass times eccentricity at a place of a rotor.
+struct Unbalance {
+  std::string place;   ///< "disk2", "station4", "point_mass1", "bearing1", as of the model file from 1; matrices: the label of x
+  double product = 0;  ///< kg m
+  double phase = 0;    ///< rad, from x with the rotation
+};
+
+/// A response to unbalance that is asked for.
+struct UnbalanceRequest {
+  std::vector<Unbalance> masses;  ///< at least one
+  Vector speeds;                  ///< rad per unit of time, ≥ 0, ascending
+  Progress progress;              ///< told speeds
 };
 
 }  // namespace gyromode

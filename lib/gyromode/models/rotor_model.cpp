@@ -3,6 +3,7 @@
 #include "gyromode/base/rounding.h"
 #include "gyromode/models/family_parameters.h"
 #include "gyromode/models/part_parameters.h"
+#include "gyromode/models/unbalance.h"
 #include "gyromode/rotor/part_numbers.h"
 #include "gyromode/rotor/part_energies.h"
 
@@ -56,7 +57,7 @@ std::string lost_by_rounding(const Rotor& r, const Matrix& stiffness, std::size_
 RotorModel::RotorModel(const Rotor& rotor) : RotorModel(rotor, std::make_shared<const SpinFamily>(assembled(rotor))) {}
 
 RotorModel::RotorModel(const Rotor& rotor, std::shared_ptr<const SpinFamily> family)
-    : DelegatingModel(model_of({family, rotor.parts().speed})), rotor_(rotor), family_(std::move(family)) {}
+    : DelegatingModel(model_of({family, rotor.parts().speed, {}})), rotor_(rotor), family_(std::move(family)) {}
 
 // The stiffness of an element goes with 1/l³: one a hundredth of the shaft's diameter long takes some six digits.
 std::vector<std::string> RotorModel::doubts(bool fixed_axes) const {
@@ -83,12 +84,34 @@ CriticalSpeeds RotorModel::critical_speeds(const CriticalOptions& options) const
   return gyromode::critical_speeds(*family_, options, orbits());
 }
 
+ModelKind::TurningForce RotorModel::unbalance(const std::vector<Unbalance>& masses) const { return unbalance_on(rotor_, masses); }
+
+// Stations are named as in labels: counted along their spool.
 std::vector<OrbitCoordinates> RotorModel::orbits() const {
   std::vector<OrbitCoordinates> places;
+  std::vector<std::size_t> count(rotor_.spools().size(), 0);
   for (const Station& s : rotor_.stations()) {
-    if (s.coordinate[0] >= 0 && s.coordinate[1] >= 0) places.push_back({s.coordinate[0], s.coordinate[1]});
+    const std::string& spool = rotor_.spools()[s.spool].name;
+    const std::size_t which = ++count[s.spool];
+    if (s.coordinate[0] < 0 || s.coordinate[1] < 0) continue;
+    places.push_back({s.coordinate[0], s.coordinate[1], fmt::format("{}{}station {}", spool, spool.empty() ? "" : " ", which), s.position});
   }
   return places;
+}
+
+// Places, tilts, housings: of coordinates that are pinned together one pair.
+std::vector<OrbitCoordinates> RotorModel::transverse() const {
+  std::vector<OrbitCoordinates> all;
+  const auto add = [&](Index x, Index y) {
+    const bool known = std::any_of(all.begin(), all.end(), [&](const OrbitCoordinates& p) { return p.x == x && p.y == y; });
+    if (x >= 0 && y >= 0 && !known) all.push_back({x, y});
+  };
+  for (const Station& s : rotor_.stations()) {
+    add(s.coordinate[0], s.coordinate[1]);
+    add(s.coordinate[2], s.coordinate[3]);
+  }
+  for (std::size_t k = 0; k < rotor_.parts().bearings.size(); ++k) add(rotor_.housing(k)[0], rotor_.housing(k)[1]);
+  return all;
 }
 
 // By sections of shaft, discs, point masses and bearings.
@@ -109,7 +132,7 @@ std::vector<EnergyShare> RotorModel::energy_shares(const Mode& mode, const std::
   return all;
 }
 
-SpinSource RotorModel::spin_source() const { return spin_source_of(family_, orbits()); }
+SpinSource RotorModel::spin_source() const { return spin_source_of(family_, orbits(), transverse()); }
 
 std::vector<Parameter> RotorModel::parameters() const {
   RotorParts parts = rotor_.parts();

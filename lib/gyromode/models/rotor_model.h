@@ -17,6 +17,7 @@ class RotorModel : public DelegatingModel {
   /// Stations so near to each other that the element between them costs digits.
   std::vector<std::string> doubts(bool fixed_axes) const override;
   CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
+  TurningForce unbalance(const std::vector<Unbalance>& masses) const override;
   std::vector<OrbitCoordinates> orbits() const override;
   std::vector<EnergyShare> energy_shares(const Mode& mode, const std::vector<ModelOutline>& outlines) const override;
   SpinSource spin_source() const override;
@@ -28,6 +29,7 @@ class RotorModel : public DelegatingModel {
 
  private:
   RotorModel(const Rotor& rotor, std::shared_ptr<const SpinFamily> family);
+  std::vector<OrbitCoordinates> transverse() const;
 
   Rotor rotor_;
   std::shared_ptr<const SpinFamily> family_;

@@ -1,5 +1,7 @@
 #include "gyromode/motion/driven_modes.h"
 
+#include "gyromode/motion/driven_runs.h"
+
 #include "gyromode/base/rounding.h"
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/motion/zero_part.h"
@@ -11,15 +13,6 @@
 namespace gyromode {
 
 namespace {
-
-Driven judged(bool met, double participation, double resolution) {
-  return !met ? Driven::no : participation > resolution ? Driven::yes : Driven::undecided;
-}
-
-// A run of modes that their errors let coincide, [first, last]: their span is what is determined.
-struct Run {
-  Index first, last;
-};
 
 struct DrivenComponent {
   const SolvedComponent& solved;
@@ -35,36 +28,15 @@ struct DrivenComponent {
     return std::min(solved.assessment.error_bound(k) + 4 * epsilon * omega()(k), widest * omega()(k));
   }
 
-  Run run_from(Index first) const {
-    Index last = first;
-    while (last + 1 < omega().size() && omega()(last + 1) - omega()(last) <= error(last) + error(last + 1)) ++last;
-    return {first, last};
-  }
-
-  // To the nearest root that is not of the run; the mirror image −ω and zero roots are at least ω away.
-  double gap(const Run& r) const {
-    double gap = omega()(r.first);
-    if (r.first > 0) gap = std::min(gap, omega()(r.first) - omega()(r.first - 1));
-    if (r.last + 1 < omega().size()) gap = std::min(gap, omega()(r.last + 1) - omega()(r.last));
-    return gap;
-  }
-
-  // An error δω of the bounds turns a shape towards that of a root at the distance `gap` by δω/gap, to first order; ten
-  // times, as energies and lengths of the two differ.
-  void add_run(const Run& r) {
-    double work2 = 0, worst = 0;
-    bool met = false;
-    for (Index k = r.first; k <= r.last; ++k) {
+  void add_all() {
+    std::vector<PoleMet> poles;
+    for (Index k = 0; k < omega().size(); ++k) {
       const ComplexVector x = solved.spectrum.shape(k);
-      work2 += std::norm(x.dot(force.cast<Complex>())) / x.dot(matrices.mass.cast<Complex>() * x).real();
-      met = met || x.cwiseAbs().dot(force.cwiseAbs()) > 0;
-      worst = std::max(worst, error(k));
+      poles.push_back({omega()(k), error(k), std::norm(x.dot(force.cast<Complex>())) / x.dot(matrices.mass.cast<Complex>() * x).real(),
+                       x.cwiseAbs().dot(force.cwiseAbs()) > 0});
     }
-    const double participation = whole > 0 ? std::min(1.0, std::sqrt(work2) / whole) : 0;
-    const double own = whole > 0 ? size / whole : 0;
-    const double resolution = own * std::min(1.0, 10 * (static_cast<double>(force.size()) * epsilon + worst / gap(r)));
-    for (Index k = r.first; k <= r.last; ++k)
-      to.push_back({omega()(k), error(k), participation, resolution, judged(met, participation, resolution)});
+    const std::vector<DrivenMode> found = judged(poles, {size, whole, force.size()});
+    to.insert(to.end(), found.begin(), found.end());
   }
 
   // Places and drifts that the force excites: the response at rest is unbounded. What is excited is compared with the
@@ -80,14 +52,6 @@ struct DrivenComponent {
       if (most(i) > 0) largest = std::max(largest, std::abs(excited(i)) / most(i));
     }
     return {0, 0, largest, resolution, judged(most.size() > 0 && most.maxCoeff() > 0, largest, resolution)};
-  }
-
-  void add_all() {
-    for (Index first = 0; first < omega().size();) {
-      const Run r = run_from(first);
-      add_run(r);
-      first = r.last + 1;
-    }
   }
 };
 

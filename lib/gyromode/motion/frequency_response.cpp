@@ -4,10 +4,10 @@
 #include "gyromode/lapack/indefinite.h"
 #include "gyromode/system/scale.h"
 #include "gyromode/motion/driven_modes.h"
+#include "gyromode/motion/driven_sweep.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace gyromode {
@@ -47,28 +47,6 @@ ComplexVector limit(const System& system, const Vector& force, double omega) {
   return solved(system, force, beside * (typical > 0 ? typical : 1)).real().cast<Complex>();
 }
 
-FrequencyPoint point(const System& system, const Vector& force, double omega, const std::vector<DrivenMode>& modes) {
-  const DrivenMode* on = nullptr;  // the mode at ω that the force drives most plainly
-  for (const DrivenMode& m : modes) {
-    if (std::abs(omega - m.omega) <= m.error && (!on || m.driven > on->driven)) on = &m;
-  }
-  if (!on) return {omega, solved(system, force, omega), Driven::no, false, std::nullopt};
-  if (on->driven == Driven::yes) return {omega, ComplexVector(0), Driven::yes, false, on->participation};
-  return {omega, limit(system, force, omega), on->driven, false, on->participation};
-}
-
-// Points at ω_s(1 ± 10⁻²) … ω_s(1 ± 10⁻⁵), those within the grid.
-void show(const DrivenMode& m, const System& system, const Vector& force, const Vector& grid, FrequencyResponse& r) {
-  for (const double away : {1e-2, 1e-3, 1e-4, 1e-5}) {
-    for (const double omega : {m.omega * (1 - away), m.omega * (1 + away)}) {
-      if (omega < grid(0) || omega > grid(grid.size() - 1)) continue;
-      r.points.push_back(point(system, force, omega, r.modes));
-      r.points.back().added = true;
-      r.points.back().participation = m.participation;
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<double> FrequencyResponse::resonances() const {
@@ -82,22 +60,13 @@ std::vector<double> FrequencyResponse::resonances() const {
 FrequencyResponse frequency_response(const System& system, const Vector& force, const Vector& grid, bool resolve,
                                      const Progress& progress) {
   require(force, grid, system.size());
-  FrequencyResponse r;
-  if (grid.size() == 0) return r;
-  r.modes = modes_in(system, force, grid);
-  for (const double omega : grid) {
-    r.interrupted = r.interrupted || progress.stopped();
-    if (r.interrupted) break;
-    r.points.push_back(point(system, force, omega, r.modes));
-    progress.report("frequencies", static_cast<Index>(r.points.size()), grid.size());
-  }
-  if (r.interrupted && r.points.empty()) throw Interrupted();
-  if (r.interrupted) return r;
-  for (const DrivenMode& m : r.modes) {
-    if (resolve && m.driven == Driven::yes && m.omega > 0) show(m, system, force, grid, r);
-  }
-  std::stable_sort(r.points.begin(), r.points.end(), [](const FrequencyPoint& a, const FrequencyPoint& b) { return a.omega < b.omega; });
-  return r;
+  if (grid.size() == 0) return {};
+  DrivenSweep sweep;
+  sweep.solved = [&](double omega) { return solved(system, force, omega); };
+  sweep.limit = [&](double omega) { return limit(system, force, omega); };
+  sweep.poles = modes_in(system, force, grid);
+  sweep.progress_of = "frequencies";
+  return sweep.over(grid, resolve, progress);
 }
 
 }  // namespace gyromode

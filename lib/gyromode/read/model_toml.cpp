@@ -1,6 +1,7 @@
 #include "gyromode/formats/digest.h"
 #include "gyromode/base/error.h"
 #include "gyromode/base/labels.h"
+#include "gyromode/base/nearest.h"
 #include "gyromode/formats/matrix_file.h"
 #include "gyromode/read/parametrised_model.h"
 #include "gyromode/read/read_model.h"
@@ -30,20 +31,9 @@ namespace {
 
 using namespace io;
 
-constexpr std::array<std::string_view, 14> matrices_keys{"parameters",
-                                                         "kind",
-                                                         "title",
-                                                         "reference",
-                                                         "known",
-                                                         "labels",
-                                                         "frame",
-                                                         "symmetrise",
-                                                         "mass",
-                                                         "gyroscopic",
-                                                         "stiffness",
-                                                         "spin",
-                                                         "gyroscopic_per_spin",
-                                                         "stiffness_per_spin2"};
+constexpr std::array<std::string_view, 15> matrices_keys{"parameters", "kind",      "title",  "reference",           "known",
+                                                         "labels",     "frame",     "orbits", "symmetrise",          "mass",
+                                                         "gyroscopic", "stiffness", "spin",   "gyroscopic_per_spin", "stiffness_per_spin2"};
 constexpr std::array<std::string_view, 10> first_order_keys{"parameters", "kind",  "title",      "reference", "known",
                                                             "labels",     "frame", "symmetrise", "inertia",   "gyroscopic"};
 constexpr std::array<std::string_view, 3> known_keys{"frequencies", "stability", "class"};
@@ -111,6 +101,26 @@ Admission admission_of(const TomlTable& table, Admission given) {
   return given;
 }
 
+// Pairs of labels: displacements along x and y of one place each.
+std::vector<OrbitCoordinates> orbits_of(const TomlTable& table, const Labels& given, Index n) {
+  const Labels labels = given.empty() ? default_labels(n) : given;
+  const std::vector<std::string_view> known(labels.begin(), labels.end());
+  std::vector<OrbitCoordinates> all;
+  std::unordered_set<std::string> seen;
+  for (const auto& pair : table.pairs_of_words("orbits")) {
+    Index at[2] = {0, 0};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto label = std::find(labels.begin(), labels.end(), pair[k]);
+      if (label == labels.end())
+        table.fail("orbits", fmt::format("'orbits': '{}' is no label of the model{}", shown(pair[k]), suggestion(pair[k], known)));
+      if (!seen.insert(pair[k]).second) table.fail("orbits", fmt::format("'orbits': '{}' is given twice", shown(pair[k])));
+      at[k] = label - labels.begin();
+    }
+    all.push_back({at[0], at[1], fmt::format("{}, {}", pair[0], pair[1])});
+  }
+  return all;
+}
+
 std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, const Admission& given, std::optional<double>& spin,
                                                    Digest& digest) {
   table.allow_only(matrices_keys);
@@ -132,9 +142,10 @@ std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, const
   Matrix g = gyroscopic ? std::move(*gyroscopic) : Matrix::Zero(n, n);
   Matrix k = stiffness ? std::move(*stiffness) : Matrix::Zero(n, n);
   const Admission admission = admission_of(table, given);
+  std::vector<OrbitCoordinates> orbits = orbits_of(table, labels, n);
   return model_of({std::make_shared<const SpinFamily>(SpinFamily{std::move(mass), std::move(g), per_spin.value_or(Matrix()), std::move(k),
                                                                  per_spin2.value_or(Matrix()), std::move(labels), admission}),
-                   spin});
+                   spin, std::move(orbits)});
 }
 
 std::shared_ptr<const ModelKind> read_first_order(const TomlTable& table, const Admission& given, std::optional<double>&, Digest& digest) {

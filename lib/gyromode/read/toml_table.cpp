@@ -184,6 +184,22 @@ std::vector<std::string> TomlTable::words(std::string_view key) const {
   return all;
 }
 
+std::vector<std::array<std::string, 2>> TomlTable::pairs_of_words(std::string_view key) const {
+  std::vector<std::array<std::string, 2>> all;
+  const toml::node* node = content_->table.get(key);
+  if (!node) return all;
+  const auto refuse = [&](const toml::node& at) {
+    fail_at(content_->file, at, fmt::format("'{}' is an array of pairs of names, such as [[\"x1\", \"y1\"], [\"x2\", \"y2\"]]", key));
+  };
+  if (!node->is_array()) refuse(*node);
+  for (const toml::node& item : *node->as_array()) {
+    const toml::array* pair = item.as_array();
+    if (!pair || pair->size() != 2 || !(*pair)[0].is_string() || !(*pair)[1].is_string()) refuse(item);
+    all.push_back({*(*pair)[0].value<std::string>(), *(*pair)[1].value<std::string>()});
+  }
+  return all;
+}
+
 std::vector<double> TomlTable::numbers(std::string_view key) const {
   std::vector<double> all;
   const toml::node* node = content_->table.get(key);

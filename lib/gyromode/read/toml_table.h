@@ -39,6 +39,8 @@ class TomlTable {
   bool has(std::string_view key) const;
   bool is_array(std::string_view key) const;
   std::vector<std::string> words(std::string_view key) const;  ///< a string, or an array of them; empty for a missing key
+  /// An array of pairs of strings; empty for a missing key.
+  std::vector<std::array<std::string, 2>> pairs_of_words(std::string_view key) const;
   /// An array of strings, or the file of labels that a string names, relative to the folder of the model; empty for a
   /// missing key.
   std::vector<std::string> texts_or_file(std::string_view key) const;

@@ -40,6 +40,7 @@ struct SpinSource {
   std::function<ComplexMatrix(double omega, double spin)> impedance;
   std::shared_ptr<const SpinFamily> family;  ///< null of others
   std::vector<OrbitCoordinates> places;      ///< whose orbits say how a mode whirls
+  std::vector<OrbitCoordinates> transverse;  ///< components x and y of all vectors across the axis: places and tilts
 };
 
 }  // namespace gyromode

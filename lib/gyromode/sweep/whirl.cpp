@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace gyromode {
 
@@ -15,7 +16,20 @@ std::string_view to_string(Whirl whirl) {
   }
 }
 
-// The area of the orbit is −π Im(X̄Y): positive with the rotation.
+// x + jy = p e^{jωt} + q̄ e^{−jωt}, p = (X + jY)/2, q = (X − jY)/2.
+Orbit orbit_of(const ComplexVector& shape, const OrbitCoordinates& place) {
+  const Complex j(0, 1), p = 0.5 * (shape(place.x) + j * shape(place.y)), q = 0.5 * (shape(place.x) - j * shape(place.y));
+  double inclination = 0.5 * (std::arg(p) - std::arg(q));
+  if (inclination > 0.5 * std::numbers::pi) inclination -= std::numbers::pi;
+  if (inclination <= -0.5 * std::numbers::pi) inclination += std::numbers::pi;
+  return {std::abs(p) + std::abs(q), std::abs(p) - std::abs(q), inclination};
+}
+
+Whirl Orbit::whirl() const {
+  constexpr double small = 1e-6;
+  return std::abs(minor) <= small * major ? Whirl::planar : minor > 0 ? Whirl::forward : Whirl::backward;
+}
+
 std::optional<Whirl> whirl_of(const ComplexVector& shape, const std::vector<OrbitCoordinates>& places) {
   if (places.empty()) return std::nullopt;
   constexpr double small = 1e-6;
@@ -24,9 +38,10 @@ std::optional<Whirl> whirl_of(const ComplexVector& shape, const std::vector<Orbi
   if (!(largest > small * small * shape.squaredNorm())) return std::nullopt;
   bool forward = false, backward = false;
   for (const OrbitCoordinates& p : places) {
-    const double size = std::norm(shape(p.x)) + std::norm(shape(p.y)), area = -2 * std::imag(std::conj(shape(p.x)) * shape(p.y));
-    if (!(size > small * small * largest) || std::abs(area) <= small * size) continue;
-    (area > 0 ? forward : backward) = true;
+    if (!(std::norm(shape(p.x)) + std::norm(shape(p.y)) > small * small * largest)) continue;
+    const Whirl whirl = orbit_of(shape, p).whirl();
+    forward = forward || whirl == Whirl::forward;
+    backward = backward || whirl == Whirl::backward;
   }
   if (forward && backward) return Whirl::mixed;
   return forward ? Whirl::forward : backward ? Whirl::backward : Whirl::planar;

@@ -3,6 +3,7 @@
 #include "gyromode/base/types.h"
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,9 +21,22 @@ std::string_view to_string(Whirl whirl);
 
 /// Two coordinates that are displacements of one place across the axis, along x and y.
 struct OrbitCoordinates {
-  Index x = 0;  ///< position of the displacement along x
-  Index y = 0;  ///< along y
+  Index x = 0;            ///< position of the displacement along x
+  Index y = 0;            ///< along y
+  std::string name = {};  ///< of the place, for people; may be empty
+  double along = 0;       ///< m, its position along the axis; 0 where it is not known
 };
+
+/// The ellipse that a place goes round in a motion Re(X e^{jωt}).
+struct Orbit {
+  double major = 0;        ///< its longer half axis
+  double minor = 0;        ///< the shorter one: positive forward, negative backward
+  double inclination = 0;  ///< rad, of the longer one from x towards y, in (−π/2, π/2]
+
+  /// Of an aspect ratio below 10⁻⁶: planar.
+  Whirl whirl() const;
+};
+Orbit orbit_of(const ComplexVector& shape, const OrbitCoordinates& place);
 
 /// Of a motion Re(X e^{jωt}), ω > 0, of places that turn about z with speed > 0: x = cos ωt, y = sin ωt is forward. An
 /// orbit of an aspect ratio below 10⁻⁶ is a line; places that move less than 10⁻⁶ of the largest are passed over.

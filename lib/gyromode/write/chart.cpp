@@ -62,15 +62,55 @@ std::vector<double> ticks(double a, double b) {
   return all;
 }
 
+std::vector<double> ticks(const Chart::Axis& a) {
+  if (!a.logarithmic) return ticks(a.from, a.to);
+  constexpr double slack = 1e-9, most = 9;
+  const double first = std::log10(a.from), last = std::log10(a.to);
+  const double step = std::max(1.0, std::ceil((last - first) / most));
+  const bool few = last - first < 2;  // then 2 and 5 of every decade too
+  std::vector<double> all;
+  for (double k = std::floor(first); k <= last + slack; k += few ? 1 : step) {
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      const double value = digit * std::pow(10, k);
+      if ((digit == 1 || few) && value >= a.from * (1 - slack) && value <= a.to * (1 + slack)) all.push_back(value);
+    }
+  }
+  return all;
+}
+
+Chart::Axis decades(std::string title, double smallest, double largest, double most) {
+  if (!(largest > 0)) return {std::move(title), 0.1, 1, true};
+  const double top = std::ceil(std::log10(largest) + 1e-9), bottom = std::floor(std::log10(smallest > 0 ? smallest : largest));
+  return {std::move(title), std::pow(10, std::clamp(bottom, top - most, top - 1)), std::pow(10, top), true};
+}
+
+Chart::Style numbered_style(std::size_t k, std::string name) {
+  constexpr std::array<std::pair<const char*, const char*>, 7> styles{{{"#0072B2", ""},
+                                                                       {"#D55E00", "7 4"},
+                                                                       {"#009E73", "9 3 2 3"},
+                                                                       {"#CC79A7", "2 3"},
+                                                                       {"#56B4E9", "12 4"},
+                                                                       {"#E69F00", "5 2 1 2"},
+                                                                       {"#555555", "1 2"}}};
+  const auto& [colour, dashes] = styles[k % styles.size()];
+  return {std::move(name), colour, dashes};
+}
+
 Chart::Chart(std::string title, Axis x, Axis y) : title_(std::move(title)), x_(std::move(x)), y_(std::move(y)) {}
 
+// From 0 at the beginning of an axis to 1 at its end; what a logarithm has no place for is far below.
+double Chart::along(const Axis& a, double value) {
+  constexpr double far_below = -10;
+  if (!a.logarithmic) return (value - a.from) / (a.to - a.from);
+  return value > 0 ? std::max(far_below, std::log(value / a.from) / std::log(a.to / a.from)) : far_below;
+}
 double Chart::px(double x) const {
   using namespace sheet;
-  return left + (x - x_.from) / (x_.to - x_.from) * (right - left);
+  return left + along(x_, x) * (right - left);
 }
 double Chart::py(double y) const {
   using namespace sheet;
-  return bottom - (y - y_.from) / (y_.to - y_.from) * (bottom - top);
+  return bottom - along(y_, y) * (bottom - top);
 }
 
 void Chart::curve(const std::vector<std::pair<double, double>>& points, const Style& style) {
@@ -87,6 +127,11 @@ void Chart::curve(const std::vector<std::pair<double, double>>& points, const St
   if (path.empty()) return;
   curves_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n", path, style.colour, style.width,
                          style.dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", style.dashes));
+  explain(style);
+}
+
+// In the legend, once.
+void Chart::explain(const Style& style) {
   const bool known = std::any_of(legend_.begin(), legend_.end(), [&](const Style& s) { return s.name == style.name; });
   if (!known && !style.name.empty()) legend_.push_back(style);
 }
@@ -96,8 +141,7 @@ void Chart::band(double from, double to, const Style& style) {
   const double a = std::clamp(px(from), left, right), b = std::clamp(px(to), left, right);
   bands_ += fmt::format("<rect x=\"{:.2f}\" y=\"{}\" width=\"{:.2f}\" height=\"{}\" fill=\"{}\" fill-opacity=\"0.18\"/>\n", a, top,
                         std::max(b - a, 1.5), bottom - top, style.colour);
-  const bool known = std::any_of(legend_.begin(), legend_.end(), [&](const Style& s) { return s.name == style.name; });
-  if (!known) legend_.push_back(style);
+  explain(style);
 }
 
 // At (x, y) px, the text beginning there for dx > 0, ending there else.
@@ -146,12 +190,12 @@ std::string Chart::text() const {
       "height=\"{7}\"/></clipPath>\n<text class=\"title\" x=\"{4}\" y=\"28\">{8}</text>\n",
       width, height, xml_escaped(title_), font, left, top, right - left, bottom - top, xml_escaped(shortened(title_, longest_title)));
   out += "<g clip-path=\"url(#frame)\">\n" + bands_ + "</g>\n";
-  for (const double x : ticks(x_.from, x_.to)) {
+  for (const double x : ticks(x_)) {
     out +=
         fmt::format("<path class=\"grid\" d=\"M{0:.1f} {1} V{2}\"/><text x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4:.6g}</text>\n",
                     px(x), top, bottom, bottom + 18, x);
   }
-  for (const double y : ticks(y_.from, y_.to)) {
+  for (const double y : ticks(y_)) {
     out += fmt::format("<path class=\"grid\" d=\"M{1} {0:.1f} H{2}\"/><text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5:.6g}</text>\n",
                        py(y), left, right, left - 8, py(y) + 4, y);
   }

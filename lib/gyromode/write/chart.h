@@ -15,6 +15,7 @@ class Chart {
   struct Axis {
     std::string title;  ///< with its unit
     double from = 0, to = 1;
+    bool logarithmic = false;  ///< from > 0
   };
   /// A class of curves: its name for the legend, a colour, and the dashes by which it is told in grey.
   struct Style {
@@ -39,8 +40,10 @@ class Chart {
   struct Box {
     double left, top, right, bottom;
   };
+  static double along(const Axis& axis, double value);
   double px(double x) const;
   double py(double y) const;
+  void explain(const Style& style);
   bool place(double x, double y, double dx, double dy, const std::string& text);
 
   std::string title_;
@@ -52,7 +55,12 @@ class Chart {
 
 /// Text as XML has it.
 std::string xml_escaped(std::string_view text);
-/// Round numbers from a to b, some five to eight of them.
+/// Round numbers from a to b, some five to eight of them; of a logarithmic axis powers of ten, or all that is round.
 std::vector<double> ticks(double a, double b);
+std::vector<double> ticks(const Chart::Axis& axis);
+/// A range of powers of ten about values > 0, at most `decades` of them below the largest.
+Chart::Axis decades(std::string title, double smallest, double largest, double most);
+/// The k-th of several curves: colours that those see apart who do not see all (Okabe and Ito), and dashes for grey.
+Chart::Style numbered_style(std::size_t k, std::string name);
 
 }  // namespace gyromode::io

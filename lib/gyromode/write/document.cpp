@@ -3,6 +3,7 @@
 #include "gyromode/models/model_kind.h"
 #include "gyromode/write/campbell_svg.h"
 
+#include "gyromode/write/response_svg.h"
 #include "gyromode/write/result_svg.h"
 #include "gyromode/write/writer.h"
 
@@ -84,10 +85,15 @@ std::string document(const Model& model, const StabilityReport& report, const Ti
   return written("stability", model, report, timings, layout);
 }
 std::string document(const Model& model, const ResponseReport& report, const Timings& timings, const Layout& layout) {
-  return written("response", model, report, timings, layout);
+  return layout.format == Format::svg ? motion_svg(model, report) : written("response", model, report, timings, layout);
 }
 std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, const Layout& layout) {
+  if (layout.format == Format::svg) return frequency_response_svg(model, report, layout);
   return written("frequency_response", model, report, timings, layout);
+}
+std::string document(const Model& model, const UnbalanceReport& report, const Timings& timings, const Layout& layout) {
+  if (layout.format == Format::svg) return unbalance_svg(model, report, layout);
+  return written("unbalance_response", model, report, timings, layout);
 }
 
 }  // namespace gyromode

@@ -60,6 +60,7 @@ std::string document(const Model& model, const CountResult& result, const Timing
 std::string document(const Model& model, const StructureReport& report, const Timings& timings, const Layout& layout);
 std::string document(const Model& model, const ResponseReport& report, const Timings& timings, const Layout& layout);
 std::string document(const Model& model, const FrequencyReport& report, const Timings& timings, const Layout& layout);
+std::string document(const Model& model, const UnbalanceReport& report, const Timings& timings, const Layout& layout);
 std::string document(const Model& model, const CriticalSpeeds& speeds, const Timings& timings, const Layout& layout,
                      const std::vector<Sensitivity>& sensitivities = {});
 std::string document(const Model& model, const Campbell& diagram, const Timings& timings, const Layout& layout);

@@ -100,6 +100,7 @@ void describe(const Model& model, const Campbell& diagram, Writer& w);
 void describe(const Model& model, const StabilityReport& report, Writer& w);
 void describe(const Model& model, const ResponseReport& report, Writer& w);
 void describe(const Model& model, const FrequencyReport& report, Writer& w);
+void describe(const Model& model, const UnbalanceReport& report, Writer& w);
 
 /// How much numbers of the model move roots at `omega`; nothing where there are none.
 void describe_sensitivities(const std::vector<Sensitivity>& all, const std::vector<double>& omega, Writer& w);
