@@ -67,7 +67,8 @@ void add_critical(CLI::App& program, int& code) {
       "critical", "Critical speeds: where a mode has a multiple of the speed as its frequency, all of a range, without a sweep");
   auto o = std::make_shared<Options>();
   o->source.add_to(*verb);
-  verb->add_option("--order", o->order, "The multiple m of an excitation mΩ, in the axes of the model: 1 is unbalance in fixed axes")
+  verb->add_option("--order", o->order,
+                   "The multiple m of an excitation mΩ in fixed axes, also of a model in turning ones: 1 is unbalance, 0 weight")
       ->type_name("M")
       ->capture_default_str();
   auto* lowest = verb->add_option("--lowest", o->lowest, "Only the N lowest")->type_name("N")->check(whole_above_zero());
@@ -84,6 +85,7 @@ void add_critical(CLI::App& program, int& code) {
       "Examples:\n  gyromode critical models/rotors/two_discs.toml --lowest 6\n"
       "  gyromode critical models/rotors/overhung_disc.toml --below 20000rpm --format json\n"
       "  gyromode critical models/rotors/two_discs.toml --order 0.5 --below 6000rpm\n"
+      "  gyromode critical models/turned_rotor.toml --order 0\n"
       "  gyromode critical models/rotors/two_discs.toml --over 'bearing[*].kxx,bearing[*].kyy=1e5:1e9:9' --below 20000rpm");
   verb->callback([o, &code] { code = guarded([&] { return run(*o); }); });
 }

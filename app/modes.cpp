@@ -55,7 +55,7 @@ ExitCode run(const Options& given) {
   if (o.method == "discrete") job.replace(job.model().body->discretised(o.elements));
   const bool infinite = !job.model().body->finite();
   if (infinite) bound(options, o);
-  o.output.pictures = job.model().body->transcendental();
+  o.output.pictures = job.model().body->has_outlines();
   const Format format = o.output.chosen();
   const bool parts = !job.model().body->orbits().empty();  // whirl and parts belong in the table
   options.shapes = o.shapes || format == Format::svg || o.sensitivity.asked || o.participation || parts;

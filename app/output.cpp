@@ -19,8 +19,9 @@ namespace gyromode::app {
 
 void OutputOption::add_to(CLI::App& verb) {
   verb.add_option("--format", format,
-                  "table, json, csv, markdown, or svg (mode shapes of a spacecraft, campbell, critical --over); default: by the extension "
-                  "of -o, else table")
+                  "table, json, csv, markdown, or svg (a picture: of modes, campbell, critical --over, stability --vary, response); "
+                  "default: by the extension of -o, "
+                  "else table")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"table", "json", "csv", "markdown", "svg"}));
   verb.add_option("-o,--output", file, "Write the result to FILE (.json, .csv, .md, .svg by extension) instead of stdout")
@@ -38,7 +39,9 @@ void OutputOption::add_to(CLI::App& verb) {
 
 Format OutputOption::chosen(Format otherwise) const {
   if (!pictures && (format == "svg" || (format.empty() && format_for(file) == Format::svg)))
-    throw UsageError("svg is for the mode shapes of a spacecraft (gyromode modes MODEL -o shapes.svg), campbell, and critical --over");
+    throw UsageError(
+        "svg is a picture of the modes of a rotor or spacecraft (gyromode modes MODEL -o shapes.svg), of campbell, critical --over, "
+        "stability --vary or response: there is none here");
   if (!format.empty()) return *format_named(format);
   if (file.empty()) return otherwise;
   return format_for(file);

@@ -48,7 +48,9 @@ void require_models(const StabilityMap& map) {
   throw LawBroken(fmt::format("--vary: no point makes a model; at the first {}", map.cells.front().point.reason));
 }
 
-ExitCode run(const Options& o) {
+ExitCode run(const Options& given) {
+  Options o = given;
+  o.output.pictures = !o.vary.empty();
   const std::vector<AxisText> axes = axes_of(o.vary);
   Job job(o.source, o.output);
   const StabilityReport report = job.answer([&](const Model& m, const Progress& p) { return asked(m, axes, p); });

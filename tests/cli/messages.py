@@ -62,7 +62,7 @@ said(1, "is no finite number, alone or with N", "response", "m.toml", "--force",
 said(1, "'q9' is no coordinate of the model: did you mean 'q1'?", "response", "m.toml", "--force", "step:q9=1", "--until", "1", "--step", "1")
 said(1, "a fraction of the largest entry, from 0 to 2", "modes", "m.toml", "--symmetrise=3")
 said(1, "'bogus' is no parameter of the model: one of", "stability", "m.toml", "--vary", "bogus=1:2:3")
-said(0, "1.04719755", "stability", models / "rigid_body.toml", "--vary", "spin=30rpm:10rpm:3")
+said(0, "          10   stable", "stability", models / "rigid_body.toml", "--vary", "spin=30rpm:10rpm:3")
 # Labels that the grammar of lists would part, and positions
 ODD = 'kind = "matrices"\nlabels = ["a,b", "c=d", "say \\"x\\""]\nmass = [1, 1, 1]\nstiffness = [[4, 1, 0], [1, 9, 1], [0, 1, 16]]\n'
 steps = ["--until", "1", "--step", "1"]
@@ -80,7 +80,7 @@ said(2, "t ≥ 0 was expected", "response", "m.toml", "--force", "step:q1=1", "-
 # Maps: why there is no model, what changes, in which unit
 said(3, "--vary: no point makes a model; at the first M must be positive definite", "stability", "m.toml", "--vary", "mass[0][0]=-3:-1:3")
 said(0, "no model at 2 of 4 points: at mass[0][0] = -3 M must be positive definite", "stability", "m.toml", "--vary", "mass[0][0]=-3:3:4")
-said(0, "spin [rad/s]  what changes", "stability", models / "three_springs.toml", "--vary", "spin=0:12000rpm:25")
+said(0, "spin [rpm]  what changes", "stability", models / "three_springs.toml", "--vary", "spin=0:12000rpm:25")
 said(0, "stable → 1 divergent", "stability", models / "three_springs.toml", "--vary", "spin=0:12000rpm:25")
 said(0, "1 divergent → gyroscopically stabilised", "stability", models / "three_springs.toml", "--vary", "spin=0:12000rpm:25")
 # Lawful, but probably meant otherwise
@@ -127,6 +127,26 @@ said(1, "multiples of the speed were expected, such as 1 or 0.5,1,2", "campbell"
 said(3, "a sweep over the spin needs a rotor, a spacecraft, or matrices with 'spin'", "campbell", "m.toml", "--spin", "0:100:3")
 said(0, "f [Hz] at 0 Hz", "campbell", "m.toml", "--spin", "0:9000rpm:4", "--units", "Hz", model=ROTOR)
 said(1, "--units", "campbell", "m.toml", "--spin", "0:100:3", "--units", "rps", model=ROTOR)
+# Unbalance
+def unbalanced(code, words, what, *more, model=ROTOR):
+    said(code, words, "response", "m.toml", "--unbalance", what, *more, model=model)
+unbalanced(1, "'disk1' where PLACE=UNBALANCE was expected, such as disk2=1e-4", "disk1", "--spin", "0:100:3")
+unbalanced(1, "'heavy' is no unbalance: a number in kg m, or one with a unit", "disk1=heavy", "--spin", "0:100:3")
+unbalanced(1, "'left' is no phase: a number in rad", "disk1=1e-4@left", "--spin", "0:100:3")
+unbalanced(1, "unbalance 'disk9': there are 1 to", "disk9=1e-4", "--spin", "0:100:3")
+unbalanced(1, "unbalance 'station99': there are stations 1 to", "station99=1e-4", "--spin", "0:100:3")
+unbalanced(1, "disk1, point_mass1, bearing1 or station1 was expected, counted from 1: did you mean 'station'?", "statoin1=1e-4", "--spin", "0:100:3")
+unbalanced(1, "the rotor has none of these", "point_mass1=1e-4", "--spin", "0:100:3")
+unbalanced(1, "the unbalance is zero", "disk1=0", "--spin", "0:100:3")
+unbalanced(1, "it goes with --spin A:B:N, and no forces", "disk1=1e-4", "--force", "x1=1", "--frequencies", "1:2:3")
+unbalanced(3, "unbalance needs places that go round: a rotor, or matrices with 'orbits'", "x=1", "--spin", "0:100:3", model=None)
+unbalanced(0, "0.0001 kg m at disc1 (90° ahead of x)", "disc1=100 g mm@90deg", "--spin", "0:10:3", "--format", "table")
+said(1, "--spin goes with --unbalance", "response", "m.toml", "--spin", "0:100:3", model=ROTOR)
+said(2, "'y9' is no label of the model", "modes", "m.toml", model=ONE + 'labels = ["x1", "y1"]\norbits = [["x1", "y9"]]\n')
+said(2, "'orbits' is an array of pairs of names", "modes", "m.toml", model=ONE + 'orbits = ["q1", "q2"]\n')
+said(2, "'q1' is given twice", "modes", "m.toml", model=ONE + 'orbits = [["q1", "q1"]]\n')
+said(3, "the model must say frame", "response", "m.toml", "--unbalance", "q1=1", "--spin", "0:1:3",
+     model=ONE + 'spin = 1\ngyroscopic_per_spin = [[0, 1], [-1, 0]]\norbits = [["q1", "q2"]]\n')
 said(0, "[0, 50) Hz", "modes", "m.toml", "--below", "50Hz", model=ROTOR)
 # The file at fault, of three
 WIRES = [str(models / "wiresaw" / f"{m}.mtx") for m in "MGK"]

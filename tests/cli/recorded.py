@@ -15,6 +15,7 @@ RECORD = pathlib.Path(__file__).resolve().parent / "recorded.jsonl"
 
 SPACECRAFT = ["cluster", "geos", "geos_rotated", "ispm", "mms", "themis", "ulysses", "meirovitch_body"]
 MATRICES = ["rigid_body", "rigid_body_intermediate", "rigid_body_minor", "rotating_frame", "three_springs", "turned_rotor", "wiresaw"]
+ROTORS = ["free_shaft", "jeffcott", "momentum_wheel", "overhung_disc", "simply_supported", "simply_supported_rayleigh", "twin_spool", "two_discs", "two_discs_orthotropic"]
 VOLATILE = {"timings", "versions"}
 # What is measured of rounding: the order of magnitude is the machine's, not the program's.
 MEASURED = {"residual", "error_bound", "bracket", "departure", "breach", "threshold", "symmetry_error", "skew_error", "phase_error", "zero_energy", "remainder_energy", "amplification", "evaluations"}
@@ -48,6 +49,14 @@ def commands():
     yield "response models/three_springs.toml --force impulse:y=1 --until 0.02 --step 0.004"
     yield "response models/three_springs.toml --force x=1 --frequencies 10Hz:200Hz:6"
     yield "response models/geos.toml --force impulse:theta1=10 --points cable1@1 --until 8 --step 2 --rates"
+    for name in ROTORS:
+        yield f"modes models/rotors/{name}.toml --lowest 6"
+        yield f"critical models/rotors/{name}.toml --lowest 4"
+    yield "critical models/rotating_frame.toml --order 2"
+    yield "critical models/rotors/two_discs.toml --over bearing[*].kxx,bearing[*].kyy=1e5:1e9:3 --lowest 3"
+    yield "campbell models/rotors/two_discs.toml --spin 0:12000rpm:5 --order 0.5,1 --lowest 6"
+    yield "campbell models/geos.toml --spin 5rpm:15rpm:3 --below 4"
+    yield "response models/rotors/two_discs.toml --unbalance disk2=1e-4@30deg --spin 0:3000rpm:4"
 
 
 def answer(command):

@@ -45,6 +45,17 @@ void add_realified(const System& system, bool transformation, Conversion& to) {
   }
 }
 
+// Where its matrices at the spin are the sums of its parts, as they are.
+std::shared_ptr<const SpinFamily> family_of(const Model& model) {
+  const System* system = model.body->second_order();
+  if (!model.spin || !system || model.ignored || !system->repairs().empty() || !model.body->massless().empty()) return nullptr;
+  try {
+    return model.body->spin_source().family;
+  } catch (const NotApplicable&) {
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 Conversion converted(const Model& model, bool realified, bool transformation) {
@@ -58,7 +69,10 @@ Conversion converted(const Model& model, bool realified, bool transformation) {
   if (const Labels massless = model.body->massless(); !massless.empty())
     all.remark =
         fmt::format("{} of {} coordinates have no mass: written are the condensed matrices of the others", massless.size(), model.size());
-  if (!realified) return all;
+  if (!realified) {
+    all.family = family_of(model);
+    return all;
+  }
   const System* second_order = model.body->second_order();
   if (!second_order) throw NotApplicable("--realified is for models of second order: eigenvalues of W are their ω²");
   add_realified(*second_order, transformation, all);

@@ -4,6 +4,7 @@
 #include "gyromode/formats/numpy.h"
 #include "gyromode/formats/write_file.h"
 #include "gyromode/models/conversion.h"
+#include "gyromode/models/model_kind.h"
 
 #include <fmt/format.h>
 
@@ -52,6 +53,20 @@ std::string rows(const Matrix& a) {
   return text + "]";
 }
 
+// The parts that go with the spin by themselves, so that the file serves every spin.
+std::string family_rows(const SpinFamily& f, double spin) {
+  std::string text = fmt::format("spin = {}\n", spin);
+  const std::pair<const char*, const Matrix*> parts[] = {{"mass", &f.mass},
+                                                         {"gyroscopic", &f.gyroscopic},
+                                                         {"gyroscopic_per_spin", &f.gyroscopic_per_spin},
+                                                         {"stiffness", &f.stiffness},
+                                                         {"stiffness_per_spin2", &f.stiffness_per_spin2}};
+  for (const auto& [key, a] : parts) {
+    if (a->size() > 0 && (key != parts[1].first || a->cwiseAbs().maxCoeff() > 0)) text += fmt::format("{} = {}\n", key, rows(*a));
+  }
+  return text;
+}
+
 std::string model_file(const Conversion& c, const Model& model) {
   const bool first_order = !c.matrices.empty() && c.matrices.front().name == "I";
   std::string text = fmt::format("kind = \"{}\"\ntitle = {}\n", first_order ? "first_order" : "matrices", quoted(model.title));
@@ -61,6 +76,17 @@ std::string model_file(const Conversion& c, const Model& model) {
     for (std::size_t i = 0; i < c.labels.size(); ++i) text += (i == 0 ? "" : ", ") + quoted(c.labels[i]);
     text += "]\n";
   }
+  if (!model.body->orbits().empty() && static_cast<Index>(c.labels.size()) == model.size()) {
+    text += "orbits = [";
+    bool first = true;
+    for (const OrbitCoordinates& p : model.body->orbits()) {
+      text += fmt::format("{}[{}, {}]", first ? "" : ", ", quoted(c.labels[static_cast<std::size_t>(p.x)]),
+                          quoted(c.labels[static_cast<std::size_t>(p.y)]));
+      first = false;
+    }
+    text += "]\n";
+  }
+  if (c.family) return text + family_rows(*c.family, *model.spin);
   for (const ConvertedMatrix& a : c.matrices) {
     const char* key = a.name == "M"   ? "mass"
                       : a.name == "G" ? "gyroscopic"

@@ -32,7 +32,7 @@ CriticalMap Model::critical_speeds_over(const ParameterAxis& axis, const Critica
     std::vector<ParameterValue> values;
     for (const std::string& key : keys_of(axis.keys)) values.push_back({key, value});
     try {
-      row.speeds = body->with(values)->critical_speeds(options);
+      row.speeds = with(values).critical_speeds(options);
     } catch (const LawBroken& e) {
       row.reason = e.what();
     } catch (const Unreadable& e) {  // a formula that is no number there

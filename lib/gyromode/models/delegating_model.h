@@ -15,6 +15,7 @@ class DelegatingModel : public ModelKind {
   Labels massless() const override { return made_->massless(); }
   bool transcendental() const override { return made_->transcendental(); }
   bool finite() const override { return made_->finite(); }
+  bool has_outlines() const override { return made_->has_outlines(); }
   ModesResult modes(const ModesOptions& options) const override { return made_->modes(options); }
   CountResult count(const Window& window) const override { return made_->count(window); }
   ModesResult verdict(bool with_shapes, const Progress& progress) const override { return made_->verdict(with_shapes, progress); }
@@ -26,6 +27,7 @@ class DelegatingModel : public ModelKind {
   std::vector<EnergyShare> energy_shares(const Mode& mode, const std::vector<ModelOutline>& outlines) const override {
     return made_->energy_shares(mode, outlines);
   }
+  std::string name_of(const Mode& mode, const std::vector<EnergyShare>& shares) const override { return made_->name_of(mode, shares); }
   SpinSource spin_source() const override { return made_->spin_source(); }
   std::vector<double> divergence_thresholds(std::string_view key, double a, double b) const override {
     return made_->divergence_thresholds(key, a, b);

@@ -1,6 +1,7 @@
 #include "gyromode/models/model.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/models/critical_in_fixed_axes.h"
 #include "gyromode/models/matrices.h"
 #include "gyromode/models/model_kind.h"
 #include "gyromode/models/spacecraft_model.h"
@@ -39,7 +40,9 @@ StabilityReport Model::stability(const Progress& progress) const { return body->
 StabilityMap Model::stability_over(const std::vector<ParameterAxis>& axes, const Progress& progress) const {
   return gyromode::stability_over(*body, axes, progress);
 }
-CriticalSpeeds Model::critical_speeds(const CriticalOptions& options) const { return body->critical_speeds(options); }
+CriticalSpeeds Model::critical_speeds(const CriticalOptions& options) const {
+  return frame == Frame::turning ? critical_speeds_from_turning_axes(*body, options) : body->critical_speeds(options);
+}
 std::vector<Sensitivity> Model::sensitivities(const std::vector<Mode>& modes, const std::vector<std::string>& keys) const {
   return gyromode::sensitivities(*body, modes, keys);
 }

@@ -75,7 +75,9 @@ struct Model {
   /// The verdict over a grid of one or two parameters, with critical values. @throws InvalidArgument where a key names
   /// no parameter
   StabilityMap stability_over(const std::vector<ParameterAxis>& axes, const Progress& progress = {}) const;
-  /// Speeds at which a mode has a multiple of the speed as its frequency, in the axes of the model, by one pencil.
+  /// Speeds at which a mode has a multiple of the speed as its frequency, by one pencil: in fixed axes, also of a model
+  /// that says its axes turn, where that is ω = |m − 1|Ω of what goes round with them, and (m + 1)Ω against; else in
+  /// the axes of the model.
   /// @throws NotApplicable for models that do not say how they depend on the speed
   CriticalSpeeds critical_speeds(const CriticalOptions& options = {}) const;
   /// The same over values of a parameter, a bearing's stiffness say: the critical-speed map. `progress` is told

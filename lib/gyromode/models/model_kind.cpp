@@ -67,6 +67,8 @@ std::vector<EnergyShare> ModelKind::energy_shares(const Mode& mode, const std::v
   return all;
 }
 
+std::string ModelKind::name_of(const Mode&, const std::vector<EnergyShare>&) const { return {}; }
+
 SpinSource ModelKind::spin_source() const {
   throw NotApplicable(
       "a sweep over the spin needs a rotor, a spacecraft, or matrices with 'spin' and 'gyroscopic_per_spin' or 'stiffness_per_spin2': "

@@ -33,6 +33,8 @@ class ModelKind {
   /// Whether H depends on ω by more than powers: there may be infinitely many modes.
   virtual bool transcendental() const { return false; }
   virtual bool finite() const { return true; }
+  /// Whether modes come with lines for pictures.
+  virtual bool has_outlines() const { return false; }
 
   virtual ModesResult modes(const ModesOptions& options) const = 0;
   virtual CountResult count(const Window& window) const = 0;
@@ -66,6 +68,9 @@ class ModelKind {
   /// How the energies of a mode with its shape are shared among the parts: by coordinates of matrices. `outlines` as in
   /// the result that the mode is of. Empty where the shape says nothing.
   virtual std::vector<EnergyShare> energy_shares(const Mode& mode, const std::vector<ModelOutline>& outlines) const;
+
+  /// What the field calls a mode with its shape and shares: "nutation"; empty where it has no name.
+  virtual std::string name_of(const Mode& mode, const std::vector<EnergyShare>& shares) const;
 
   /// What it says of itself to a sweep over its spin. Throws NotApplicable where it does not say how it depends on one.
   virtual SpinSource spin_source() const;

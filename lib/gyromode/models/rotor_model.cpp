@@ -4,6 +4,7 @@
 #include "gyromode/models/family_parameters.h"
 #include "gyromode/models/part_parameters.h"
 #include "gyromode/models/unbalance.h"
+#include "gyromode/rotor/outline.h"
 #include "gyromode/rotor/part_numbers.h"
 #include "gyromode/rotor/part_energies.h"
 
@@ -78,6 +79,16 @@ std::vector<std::string> RotorModel::doubts(bool fixed_axes) const {
     if (!lost.empty()) all.push_back(lost);
   }
   return all;
+}
+
+ModesResult RotorModel::modes(const ModesOptions& options) const {
+  ModesResult r = DelegatingModel::modes(options);
+  if (!options.shapes) return r;
+  r.outlines = outlines_of(rotor_);
+  for (Mode& m : r.modes) {
+    if (m.shape.size() == size()) m.field = displacements_of(rotor_, r.outlines, m.shape);
+  }
+  return r;
 }
 
 CriticalSpeeds RotorModel::critical_speeds(const CriticalOptions& options) const {

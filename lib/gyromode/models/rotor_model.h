@@ -14,8 +14,11 @@ class RotorModel : public DelegatingModel {
 
   const Rotor& rotor() const { return rotor_; }
   std::string_view in_words() const override { return "rotor"; }
+  bool has_outlines() const override { return true; }
   /// Stations so near to each other that the element between them costs digits.
   std::vector<std::string> doubts(bool fixed_axes) const override;
+  /// With lines for pictures, where shapes are asked for.
+  ModesResult modes(const ModesOptions& options) const override;
   CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
   TurningForce unbalance(const std::vector<Unbalance>& masses) const override;
   std::vector<OrbitCoordinates> orbits() const override;

@@ -237,11 +237,11 @@ std::vector<Sensitivity> sensitivities(const ModelKind& model, const CriticalSpe
     const CriticalSpeed& c = found.speeds[k];
     const auto turning = model.with({{speed, c.speed}});
     OfMatrices impedances(*turning);
-    const double w = found.order * c.speed;
+    const double w = c.multiple * c.speed;
     if (!impedances.choose([&](double value) { return impedances.with(model, {{speed, value}}); }, c.speed)) continue;
     const ComplexMatrix x = c.shape;
     const auto by_speed = impedances.at(w, x);
-    const ComplexMatrix form = found.order * by_speed->form - by_speed->by_parameter;
+    const ComplexMatrix form = c.multiple * by_speed->form - by_speed->by_parameter;
     for (Sensitivity& s : all) {
       const MatricesAt at = [&](double value) { return impedances.with(*turning, {{s.parameter.key, value}}); };
       if (!impedances.choose(at, s.parameter.value)) {

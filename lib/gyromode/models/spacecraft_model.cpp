@@ -103,6 +103,19 @@ std::vector<EnergyShare> SpacecraftModel::energy_shares(const Mode& mode, const 
   return sum > 0 ? all : std::vector<EnergyShare>{};
 }
 
+std::string SpacecraftModel::name_of(const Mode& mode, const std::vector<EnergyShare>& shares) const {
+  if (mode.shape.size() != size()) return {};
+  if (mode.kind == ModeKind::rigid_body) {
+    if (mode.omega > 0) return "tilt of the momentum axis";
+    return std::abs(mode.shape(2)) > std::abs(mode.shape(5)) ? "axial translation" : "spin phase";
+  }
+  if (mode.kind != ModeKind::vibration || shares.empty() || shares.front().kinetic < 0.5) return {};
+  const std::vector<FixedAxesPart> parts = in_fixed_axes(mode.shape, mode.omega, spacecraft_.spin(), orbits());
+  const auto most = std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.share < b.share; });
+  const double tilt = mode.shape.segment<2>(3).norm(), turn = std::abs(mode.shape(5));
+  return most != parts.end() && most->omega > 0 && tilt > turn ? "nutation" : "";
+}
+
 SpinSource SpacecraftModel::spin_source() const {
   const auto at = [s = spacecraft_](double spin) { return Spacecraft(spin, s.body(), s.cables(), s.beams(), s.masses()); };
   SpinSource source;

@@ -15,12 +15,16 @@ class SpacecraftModel : public ModelKind {
   const Labels& labels() const override { return spacecraft_.labels(); }
   std::string_view in_words() const override { return "of the body, exact booms"; }
   bool transcendental() const override { return true; }
+  bool has_outlines() const override { return true; }
   bool finite() const override { return spacecraft_.cables().empty() && spacecraft_.beams().empty(); }
   ModesResult modes(const ModesOptions& options) const override;
   CountResult count(const Window& window) const override;
   StructureReport structure(std::optional<double> at) const override;
   std::vector<OrbitCoordinates> orbits() const override { return {{3, 4}}; }
   std::vector<EnergyShare> energy_shares(const Mode& mode, const std::vector<ModelOutline>& outlines) const override;
+  /// Nutation: the body tilts, holds most of the kinetic energy, and goes round forward in fixed axes. Rigid motions by
+  /// what they are.
+  std::string name_of(const Mode& mode, const std::vector<EnergyShare>& shares) const override;
   SpinSource spin_source() const override;
   void require_motion() const override {}
   ResponseReport response(const MotionRequest& request) const override;

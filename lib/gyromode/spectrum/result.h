@@ -34,7 +34,8 @@ struct Mode {
   /// how many modes rounding cannot tell apart here: of more than one the span is what is determined, not each shape
   Index cluster = 1;
   std::optional<std::array<double, 2>> bracket;  ///< [lo, hi] between which a count proves the root, where there is one
-  /// displacement of the points of each outline, 3 × points, in the scale of the shape; spacecraft only, with shapes
+  /// displacement of the points of each outline, 3 × points, in the scale of the shape; of rotors and spacecraft, with
+  /// shapes
   std::vector<ComplexMatrix> field;
   ComplexVector shape;  ///< empty unless asked for; largest entry 1 (the first of ties), n entries in the order of the labels
   /// Xᴴ(2ωM − jG)X of that shape (of first order XᴴIX): what a change of H is divided by (theory (T15)); its sign is
@@ -104,7 +105,7 @@ struct ModesResult {
   IndexBalance index_balance;                ///< what the verdict rests on
   double opposite_gap = 0;                   ///< smallest relative distance of roots of opposite energy sign; infinite where there is none
   Coverage coverage;                         ///< whether every mode of the window is there
-  std::vector<ModelOutline> outlines;        ///< of a spacecraft, where shapes were asked for
+  std::vector<ModelOutline> outlines;        ///< of rotors and spacecraft, where shapes were asked for
   std::vector<Mode> modes;                   ///< in the window, ascending in ω
   std::vector<Mode> negative_modes;          ///< every mode of negative or undecided energy, whatever the window
   std::vector<UnstableMode> unstable;        ///< all, whatever the window

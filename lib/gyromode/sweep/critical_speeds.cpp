@@ -1,6 +1,7 @@
 #include "gyromode/sweep/critical_speeds.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/base/rounding.h"
 #include "gyromode/modes/shape.h"
 #include "gyromode/sweep/family_structure.h"
 #include "gyromode/sweep/pencil.h"
@@ -22,6 +23,7 @@ struct Tally {
   Index counted = 0;
   bool sure = true;
   std::string reason;
+  double reach = infinity;  // where the nearest root that may be at infinity may be
 
   void doubt(const std::string& why) {
     if (sure) reason = why;
@@ -39,6 +41,10 @@ void add_part(const SpeedPencil& pencil, const CriticalOptions& o, Index n, Crit
   Index found = 0;
   for (const SpeedPencil::Root& rough : roots) {
     const bool real = std::abs(rough.nu.imag()) <= real_to * std::abs(rough.nu);
+    if (real && pencil.is_at_infinity(rough)) {
+      tally.reach = std::min(tally.reach, pencil.least_speed(rough));
+      continue;
+    }
     if (!real || !(rough.nu.real() > 0)) {
       ++all.not_physical;
       continue;
@@ -97,6 +103,7 @@ CriticalSpeeds critical_speeds(const SpinFamily& family, const CriticalOptions& 
   coverage.found = static_cast<Index>(all.speeds.size());
   coverage.counted = tally.counted;
   coverage.reason = tally.reason;
+  coverage.window.b = std::min(coverage.window.b, tally.reach);
   coverage.status = !tally.sure                       ? CoverageStatus::not_counted
                     : tally.counted == coverage.found ? CoverageStatus::complete
                                                       : CoverageStatus::incomplete;

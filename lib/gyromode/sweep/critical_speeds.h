@@ -13,10 +13,10 @@ namespace gyromode {
 /// A speed Ω at which a mode has the frequency mΩ.
 struct CriticalSpeed {
   double speed = 0;            ///< Ω, rad per unit of time, > 0
-  double multiple = 1;         ///< m in the axes of the model
+  double multiple = 1;         ///< of the speed, its frequency in the axes of the model
   double residual = 0;         ///< ‖(K₀ − Ω²B)X‖ / ((‖K₀‖ + Ω²‖B‖)‖X‖), B = m²M − jmG₁ − K₂
   double error_bound = 0;      ///< on |δΩ|, to first order
-  std::optional<Whirl> whirl;  ///< where the model has stations
+  std::optional<Whirl> whirl;  ///< where the model has stations; of an order in fixed axes, in those
   ComplexVector shape;         ///< X, n, largest entry 1
 };
 
@@ -30,6 +30,8 @@ struct CriticalOptions {
 /// All critical speeds of a window, from one pencil.
 struct CriticalSpeeds {
   double order = 1;                   ///< as asked
+  bool in_fixed_axes = false;         ///< the order is one of fixed axes, the model in turning ones
+  Index other_way = 0;                ///< roots in the range whose places go round the other way alone, so that they have another order
   std::vector<CriticalSpeed> speeds;  ///< ascending
   Index not_physical = 0;             ///< roots with Ω² < 0, or not real
   Coverage coverage;                  ///< complete: counted by factorisations of K₀ − Ω²B

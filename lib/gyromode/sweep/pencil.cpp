@@ -185,19 +185,31 @@ double SpeedPencil::residual(const Root& root) const {
   return times(nu, x).norm() / ((norm(stiffness_) + std::abs(nu) * (norm(re_) + norm(im_))) * x.norm());
 }
 
-// To first order: the residual as it is, and a rounding of every entry, over |xᴴBx|.
+// The residual as it is, and a rounding of every entry, on |X|.
+double SpeedPencil::uncertainty(double nu, const ComplexVector& x) const {
+  const Vector size = x.cwiseAbs();
+  Matrix terms = re_.cwiseAbs();
+  if (!real_) terms += im_.cwiseAbs();
+  const double rounding = backward_error(size.size()) * size.dot((stiffness_.cwiseAbs() + std::abs(nu) * terms) * size);
+  return times(nu, x).norm() * x.norm() + rounding;
+}
+
+// To first order, over |xᴴBx|.
 double SpeedPencil::error_of(const Root& root) const {
   const ComplexVector x = axes_.own(root.shape);
-  const double nu = root.nu.real();
-  const Vector size = x.cwiseAbs();
   double form = std::real(x.dot(re_ * x));
-  Matrix terms = re_.cwiseAbs();
-  if (!real_) {
-    form += std::real(x.dot(imaginary_unit * (im_ * x)));
-    terms += im_.cwiseAbs();
-  }
-  const double rounding = backward_error(size.size()) * size.dot((stiffness_.cwiseAbs() + std::abs(nu) * terms) * size);
-  return (times(nu, x).norm() * x.norm() + rounding) / std::abs(form);
+  if (!real_) form += std::real(x.dot(imaginary_unit * (im_ * x)));
+  return uncertainty(root.nu.real(), x) / std::abs(form);
 }
+
+// Of μ = 1/ν, μK₀x = Bx.
+double SpeedPencil::error_of_inverse(const Root& root) const {
+  const ComplexVector x = axes_.own(root.shape);
+  return uncertainty(root.nu.real(), x) / (std::abs(root.nu.real()) * std::abs(std::real(x.dot(stiffness_ * x))));
+}
+
+bool SpeedPencil::is_at_infinity(const Root& root) const { return error_of_inverse(root) >= 0.5 / std::abs(root.nu.real()); }
+
+double SpeedPencil::least_speed(const Root& root) const { return 1 / std::sqrt(1 / std::abs(root.nu.real()) + error_of_inverse(root)); }
 
 }  // namespace gyromode

@@ -29,11 +29,17 @@ class SpeedPencil {
   /// ‖(K₀ − νB)X‖ over the norms, and what rounding and that residual leave open of ν.
   double residual(const Root& root) const;
   double error_of(const Root& root) const;
+  /// Whether a real root is so far out that rounding of B does not tell it from infinity, where B is singular; and
+  /// below which speed it cannot be.
+  bool is_at_infinity(const Root& root) const;
+  double least_speed(const Root& root) const;
   /// n₋(K₀), and at 0⁺, where the null space of K₀ has left zero.
   Index negative_at_zero() const;
   const std::vector<Index>& coordinates() const { return coordinates_; }
 
  private:
+  double uncertainty(double nu, const ComplexVector& own) const;
+  double error_of_inverse(const Root& root) const;
   ComplexVector times(double nu, const ComplexVector& own) const;
 
   std::vector<Index> coordinates_;

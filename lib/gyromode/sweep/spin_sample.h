@@ -13,14 +13,15 @@ namespace gyromode {
 
 /// A mode at one spin, as a sweep needs it.
 struct SampledMode {
-  double omega = 0;             ///< rad per unit of time, > 0
-  double error = 0;             ///< on |δω|, to first order
-  std::optional<double> slope;  ///< dω/dΩ (theory (T15)); nothing where it is not known
-  int energy_sign = 1;          ///< κ
-  Index multiplicity = 1;       ///< how many modes this stands for
-  Index block = -1;             ///< FamilyBlocks; of a spacecraft by body and booms; −1: of several
-  std::optional<Whirl> whirl;   ///< where the model has places
-  ComplexVector shape;          ///< n, largest entry 1
+  double omega = 0;                       ///< rad per unit of time, > 0
+  double error = 0;                       ///< on |δω|, to first order
+  std::optional<double> slope;            ///< dω/dΩ (theory (T15)); nothing where it is not known
+  int energy_sign = 1;                    ///< κ
+  Index multiplicity = 1;                 ///< how many modes this stands for
+  Index block = -1;                       ///< FamilyBlocks; of a spacecraft by body and booms; −1: of several
+  std::optional<Whirl> whirl;             ///< where the model has places
+  std::vector<FixedAxesPart> fixed_axes;  ///< what it is in axes that do not turn, if those of the model turn with the spin
+  ComplexVector shape;                    ///< n, largest entry 1
 };
 
 /// The modes of a model at one spin in (0, b), without rigid-body modes.

@@ -169,6 +169,7 @@ SampledMode SpinSampler::sampled(double spin, double omega, const Mode& mode, co
   s.multiplicity = mode.multiplicity;
   s.shape = normalised(shape);
   s.whirl = whirl_of(s.shape, source_.places);
+  s.fixed_axes = in_fixed_axes(s.shape, omega, spin, source_.places);
   if (source_.family) {
     const Place at{*source_.family, spin, omega};
     const double form = std::real(s.shape.dot(at.form(s.shape).col(0)));

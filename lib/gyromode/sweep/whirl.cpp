@@ -30,6 +30,23 @@ Whirl Orbit::whirl() const {
   return std::abs(minor) <= small * major ? Whirl::planar : minor > 0 ? Whirl::forward : Whirl::backward;
 }
 
+std::vector<FixedAxesPart> in_fixed_axes(const ComplexVector& shape, double omega, double spin,
+                                         const std::vector<OrbitCoordinates>& places) {
+  constexpr double small = 1e-6;
+  const Complex j(0, 1);
+  double with = 0, against = 0;  // squares of p and q
+  for (const OrbitCoordinates& at : places) {
+    with += std::norm(shape(at.x) + j * shape(at.y)) / 4;
+    against += std::norm(shape(at.x) - j * shape(at.y)) / 4;
+  }
+  const double largest = std::max(with, against), sense = spin < 0 ? -1 : 1;
+  std::vector<FixedAxesPart> all;
+  if (!(largest > small * small * shape.squaredNorm())) return all;
+  if (with > small * small * largest) all.push_back({sense * (spin + omega), with / (with + against)});
+  if (against > small * small * largest) all.push_back({sense * (spin - omega), against / (with + against)});
+  return all;
+}
+
 std::optional<Whirl> whirl_of(const ComplexVector& shape, const std::vector<OrbitCoordinates>& places) {
   if (places.empty()) return std::nullopt;
   constexpr double small = 1e-6;

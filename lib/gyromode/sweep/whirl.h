@@ -43,4 +43,15 @@ Orbit orbit_of(const ComplexVector& shape, const OrbitCoordinates& place);
 /// Nothing where there are no places, or where none moves.
 std::optional<Whirl> whirl_of(const ComplexVector& shape, const std::vector<OrbitCoordinates>& places);
 
+/// A part of a motion in axes that do not turn.
+struct FixedAxesPart {
+  double omega = 0;  ///< rad per unit of time; positive: goes round with the rotation, negative: against it
+  double share = 0;  ///< of the squares of all parts, 0 … 1
+};
+/// Of a motion Re(X e^{jωt}) in axes that turn at `spin` about z: of x + jy = p e^{jωt} + q̄ e^{−jωt} the first part has
+/// the frequency ω + Ω in fixed axes, the second Ω − ω. Parts below 10⁻⁶ of the largest are left out; none where no
+/// place moves.
+std::vector<FixedAxesPart> in_fixed_axes(const ComplexVector& shape, double omega, double spin,
+                                         const std::vector<OrbitCoordinates>& places);
+
 }  // namespace gyromode

@@ -1,7 +1,7 @@
 #include "gyromode/write/campbell_svg.h"
 
-#include "gyromode/models/parameter_keys.h"
 #include "gyromode/write/chart.h"
+#include "gyromode/write/varied_parameter.h"
 
 #include <fmt/format.h>
 
@@ -100,9 +100,9 @@ std::string critical_map_svg(const Model& model, const CriticalMap& map, const L
     most = std::max(most, r.speeds.speeds.size());
     for (const CriticalSpeed& s : r.speeds.speeds) highest = std::max(highest, s.speed);
   }
-  const auto dimension = require_parameter(*model.body, map.keys).dimension;
-  const std::string of = dimension ? fmt::format("log₁₀ of {} [{}]", map.keys, unit_of(*dimension)) : "log₁₀ of " + map.keys;
-  Chart chart("Critical speeds: " + model.title, {of, std::log10(map.rows.front().value), std::log10(map.rows.back().value)},
+  const VariedParameter over(model, map.keys, l.unit);
+  Chart chart("Critical speeds: " + model.title,
+              {over.title(), over.shown(map.rows.front().value), over.shown(map.rows.back().value), true},
               {axis_title("critical speed", unit), 0, 1.05 * in_unit(highest > 0 ? highest : 1, unit)});
   // The k-th of each whirl is a curve.
   std::map<std::pair<std::string, std::size_t>, std::vector<std::pair<double, double>>> curves;
@@ -112,7 +112,7 @@ std::string critical_map_svg(const Model& model, const CriticalMap& map, const L
     for (const CriticalSpeed& s : r.speeds.speeds) {
       const Chart::Style style = style_of(s.whirl);
       styles[style.name] = style;
-      curves[{style.name, count[style.name]++}].emplace_back(std::log10(r.value), in_unit(s.speed, unit));
+      curves[{style.name, count[style.name]++}].emplace_back(over.shown(r.value), in_unit(s.speed, unit));
     }
   }
   for (const auto& [key, points] : curves) chart.curve(points, styles[key.first]);

@@ -144,6 +144,17 @@ void Chart::band(double from, double to, const Style& style) {
   explain(style);
 }
 
+void Chart::cell(double x0, double x1, double y0, double y1, const std::string& letter, const Style& style) {
+  using namespace sheet;
+  const double a = px(x0), b = px(x1), low = py(y0), high = py(y1);
+  cells_ += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\" class=\"cell\"/>\n", a, high, b - a,
+                        low - high, style.colour);
+  if (!letter.empty() && b - a > font && low - high > font)
+    cells_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"letter\" text-anchor=\"middle\">{}</text>\n", 0.5 * (a + b),
+                          0.5 * (low + high) + 4, xml_escaped(letter));
+  explain(style);
+}
+
 // At (x, y) px, the text beginning there for dx > 0, ending there else.
 bool Chart::place(double x, double y, double dx, double dy, const std::string& text) {
   using namespace sheet;
@@ -183,13 +194,14 @@ std::string Chart::text() const {
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n"
       "<style>text{{font:{3}px sans-serif;fill:#222}}.title{{font-size:15px;font-weight:bold}}.frame{{fill:none;stroke:#444}}"
-      ".grid{{stroke:#ccc;stroke-width:.7}}.mark{{fill:#fff;stroke:#222;stroke-width:1.3}}"
+      ".grid{{stroke:#ccc;stroke-width:.7}}.mark{{fill:#fff;stroke:#222;stroke-width:1.3}}.cell{{stroke:#fff;stroke-width:.4}}"
+      ".letter{{fill:#000;paint-order:stroke;stroke:#fff;stroke-width:2.5px}}"
       "@media(prefers-color-scheme:dark){{text{{fill:#ddd}}.page{{fill:#1b1d21}}.frame{{stroke:#aaa}}.grid{{stroke:#444}}"
       ".mark{{fill:#1b1d21;stroke:#ddd}}}}</style>\n"
       "<rect class=\"page\" width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n<clipPath id=\"frame\"><rect x=\"{4}\" y=\"{5}\" width=\"{6}\" "
       "height=\"{7}\"/></clipPath>\n<text class=\"title\" x=\"{4}\" y=\"28\">{8}</text>\n",
       width, height, xml_escaped(title_), font, left, top, right - left, bottom - top, xml_escaped(shortened(title_, longest_title)));
-  out += "<g clip-path=\"url(#frame)\">\n" + bands_ + "</g>\n";
+  out += "<g clip-path=\"url(#frame)\">\n" + bands_ + cells_ + "</g>\n";
   for (const double x : ticks(x_)) {
     out +=
         fmt::format("<path class=\"grid\" d=\"M{0:.1f} {1} V{2}\"/><text x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4:.6g}</text>\n",
@@ -207,6 +219,13 @@ std::string Chart::text() const {
                      xml_escaped(y_.title));
   double y = top + 14;
   for (const Style& s : legend_) {
+    if (s.area) {
+      out += fmt::format(
+          "<rect x=\"{}\" y=\"{:.0f}\" width=\"34\" height=\"14\" style=\"fill:{};stroke:#444\"/><text x=\"{}\" y=\"{:.0f}\">{}</text>\n",
+          right + 18, y - 7, s.colour, right + 60, y + 4, xml_escaped(shortened(s.name, 18)));
+      y += 22;
+      continue;
+    }
     out +=
         fmt::format("<path d=\"M{} {:.0f} h34\" stroke=\"{}\" stroke-width=\"{}\" fill=\"none\"{}/><text x=\"{}\" y=\"{:.0f}\">{}</text>\n",
                     right + 18, y, s.colour, s.width, s.dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", s.dashes), right + 60,

@@ -21,6 +21,7 @@ class Chart {
   struct Style {
     std::string name, colour, dashes;
     double width = 1.6;
+    bool area = false;  ///< the legend shows a patch of the colour
   };
 
   Chart(std::string title, Axis x, Axis y);
@@ -29,6 +30,8 @@ class Chart {
   void curve(const std::vector<std::pair<double, double>>& points, const Style& style);
   /// A band over a part of the x axis.
   void band(double from, double to, const Style& style);
+  /// A filled rectangle, and a letter in its middle where it is large enough.
+  void cell(double x0, double x1, double y0, double y1, const std::string& letter, const Style& style);
   /// A mark, "circle" or "diamond". Marks come before labels, which keep off them.
   void mark(double x, double y, const std::string& shape);
   /// A label beside the place, if there is room.
@@ -50,7 +53,7 @@ class Chart {
   Axis x_, y_;
   std::vector<Style> legend_;
   std::vector<Box> taken_;
-  std::string bands_, curves_, marks_, labels_;
+  std::string bands_, cells_, curves_, marks_, labels_;
 };
 
 /// Text as XML has it.

@@ -28,6 +28,15 @@ Json branch_coverage(const Campbell& c, const CampbellBranch& b) {
   return all;
 }
 
+// Signed frequencies in fixed axes, the larger part first: of every spin a list, null where the branch has none.
+Json fixed_axes_json(const SampledMode& m) {
+  std::vector<FixedAxesPart> parts = m.fixed_axes;
+  std::stable_sort(parts.begin(), parts.end(), [](const FixedAxesPart& a, const FixedAxesPart& b) { return a.share > b.share; });
+  Json all = Json::array();
+  for (const FixedAxesPart& p : parts) all.push_back(p.omega);
+  return all;
+}
+
 // The whirl of a branch at its first and its last spin but rest.
 std::string whirl_words(const Campbell& c, const CampbellBranch& b) {
   std::string first, last;
@@ -43,7 +52,7 @@ bool has_negative_energy(const CampbellBranch& b) {
   return std::any_of(b.modes.begin(), b.modes.end(), [](const auto& m) { return m && m->energy_sign < 0; });
 }
 
-void describe_branches(const Campbell& c, Writer& w) {
+void describe_branches(const Campbell& c, bool turning, Writer& w) {
   const auto at = [&](double spin) { return fmt::format("at {:.6g} {}", w.spin(spin), w.spin_unit()); };
   const auto words = [&](const std::optional<SampledMode>& m) {
     return m ? determined(w.frequency(m->omega), w.frequency(m->error), 8) : std::string();
@@ -67,7 +76,7 @@ void describe_branches(const Campbell& c, Writer& w) {
   if (w.for_csv()) return;
   w.table({"branches",
            "",
-           {{"omega"}, {"whirl"}, {"energy_sign"}, {"slope"}, {"error_bound"}, {"coverage"}, {"multiplicity"}},
+           {{"omega"}, {"whirl"}, {"energy_sign"}, {"slope"}, {"error_bound"}, {"coverage"}, {"multiplicity"}, {"fixed_axes"}},
            static_cast<Index>(c.branches.size()),
            [&](Index k) {
              const CampbellBranch& b = c.branches[static_cast<std::size_t>(k)];
@@ -79,7 +88,8 @@ void describe_branches(const Campbell& c, Writer& w) {
                                       {over_spins(b, [](const SampledMode& m) { return m.slope ? Json(*m.slope) : Json(nullptr); })},
                                       {over_spins(b, [](const SampledMode& m) { return m.error; })},
                                       {branch_coverage(c, b)},
-                                      {multiplicity}};
+                                      {multiplicity},
+                                      {turning ? over_spins(b, fixed_axes_json) : no_value}};
            }});
 }
 
@@ -145,7 +155,7 @@ void describe_excitation(const Campbell& c, Writer& w) {
 }
 
 // A line a branch and spin.
-void describe_csv(const Campbell& c, Writer& w) {
+void describe_csv(const Campbell& c, bool turning, Writer& w) {
   std::vector<std::pair<std::size_t, std::size_t>> all;  // spin and branch
   for (std::size_t s = 0; s < c.spins.size(); ++s) {
     for (std::size_t b = 0; b < c.branches.size(); ++b) {
@@ -161,13 +171,25 @@ void describe_csv(const Campbell& c, Writer& w) {
             {"whirl"},
             {"energy_sign"},
             {w.frequency_key("error_bound")},
-            {"coverage"}},
+            {"coverage"},
+            {turning ? w.frequency_key("fixed_axes") : ""},
+            {turning ? w.frequency_key("fixed_axes_2") : ""}},
            static_cast<Index>(all.size()),
            [all, &c, &w](Index k) {
              const auto& [s, b] = all[static_cast<std::size_t>(k)];
              const SampledMode& m = *c.branches[b].modes[s];
-             return std::vector<Cell>{{c.spins[s]},    {b + 1},         {w.frequency(m.omega)}, {hertz(m.omega)},
-                                      {whirl_json(m)}, {m.energy_sign}, {w.frequency(m.error)}, {Json(to_string(c.coverage[s].status))}};
+             const Json fixed = fixed_axes_json(m);
+             const auto part = [&](std::size_t i) { return i < fixed.size() ? Json(w.frequency(fixed[i].get<double>())) : Json(nullptr); };
+             return std::vector<Cell>{{w.spin(c.spins[s])},
+                                      {b + 1},
+                                      {w.frequency(m.omega)},
+                                      {hertz(m.omega)},
+                                      {whirl_json(m)},
+                                      {m.energy_sign},
+                                      {w.frequency(m.error)},
+                                      {Json(to_string(c.coverage[s].status))},
+                                      {part(0)},
+                                      {part(1)}};
            },
            true});
 }
@@ -176,7 +198,7 @@ void describe_csv(const Campbell& c, Writer& w) {
 
 void describe(const Model& model, const Campbell& c, Writer& w) {
   if (w.for_csv()) {
-    describe_csv(c, w);
+    describe_csv(c, model.frame == gyromode::Frame::turning, w);
     return;
   }
   const auto complete =
@@ -194,7 +216,7 @@ void describe(const Model& model, const Campbell& c, Writer& w) {
   w.fact("stability", verdicts);
   w.fact("growth_rate", c.growth_rate);
   if (c.interrupted) w.fact("interrupted", true, "interrupted", "higher spins were not looked at");
-  describe_branches(c, w);
+  describe_branches(c, model.frame == gyromode::Frame::turning, w);
   describe_encounters(c, w);
   describe_excitation(c, w);
 }

@@ -1,7 +1,7 @@
 #include "gyromode/write/describe_map.h"
 
-#include "gyromode/models/parameter_keys.h"
 #include "gyromode/write/digits.h"
+#include "gyromode/write/varied_parameter.h"
 #include "gyromode/write/words.h"
 
 #include <fmt/format.h>
@@ -37,10 +37,8 @@ std::string change_words(const StabilityPoint& from, const StabilityPoint& to) {
   return motions_words(from, same) + " → " + motions_words(to, same);
 }
 
-// A key with the unit of its values, where that is known.
-std::string with_unit(const Model& model, const std::string& keys) {
-  const auto dimension = require_parameter(*model.body, keys).dimension;
-  return dimension ? fmt::format("{} [{}]", keys, unit_of(*dimension)) : keys;
+VariedParameter varied(const Model& model, const StabilityReport& r, std::size_t which, const Writer& w) {
+  return {model, r.varied[which], w.layout().unit};
 }
 
 Json verdict(const StabilityPoint& p) { return p.law_kept ? Json(to_string(p.stability)) : Json(nullptr); }
@@ -60,16 +58,17 @@ char letter(const StabilityPoint& p) {
 }
 
 // The second parameter upwards, the first to the right.
-std::string chart(const Model& model, const StabilityReport& r) {
+std::string chart(const Model& model, const StabilityReport& r, const Writer& w) {
+  const VariedParameter right = varied(model, r, 0, w), up = varied(model, r, 1, w);
   const auto& along = r.map->axes[0];
   const auto& across = r.map->axes[1];
-  std::string out = fmt::format("{} upwards, {} to the right\n", with_unit(model, r.varied[1]), with_unit(model, r.varied[0]));
+  std::string out = fmt::format("{} upwards, {} to the right\n", up.title(), right.title());
   for (std::size_t j = across.size(); j-- > 0;) {
-    out += fmt::format("{:>12.6g} ", across[j]);
+    out += fmt::format("{:>12.6g} ", up.shown(across[j]));
     for (std::size_t i = 0; i < along.size(); ++i) out += letter(r.map->cells[j * along.size() + i].point);
     out += "\n";
   }
-  const std::string last = fmt::format("{:.6g}", along.back()), first = fmt::format("{:.6g}", along.front());
+  const std::string last = fmt::format("{:.6g}", right.shown(along.back())), first = fmt::format("{:.6g}", right.shown(along.front()));
   out += fmt::format("{:>13}{}{}{}\n", "", first,
                      std::string(along.size() > first.size() + last.size() ? along.size() - first.size() - last.size() : 1, ' '), last);
   return out + "s stable, g gyroscopically stabilised, D divergence, F flutter,\nm marginal, ? unknown, blank: no model\n";
@@ -79,7 +78,13 @@ std::string chart(const Model& model, const StabilityReport& r) {
 void describe_cells(const Model& model, const StabilityReport& r, Writer& w) {
   const bool line = r.varied.size() == 1;
   Table t{"map", "", {{"values", "", "", Column::In::json}}, static_cast<Index>(r.map->cells.size()), {}, true};
-  for (const std::string& key : r.varied) t.columns.push_back({key, line ? with_unit(model, key) : "", "{:.10g}", Column::In::csv});
+  std::vector<VariedParameter> parameters;
+  for (std::size_t k = 0; k < r.varied.size(); ++k) {
+    parameters.push_back(varied(model, r, k, w));
+    const std::string& key = r.varied[k];
+    t.columns.push_back(
+        {parameters[k].is_frequency() ? w.frequency_key(key) : key, line ? parameters[k].title() : "", "{:.10g}", Column::In::csv});
+  }
   for (const auto& [key, heading] : {std::pair("stability", "verdict"),
                                      {"growth_rate", "growth rate [1/s]"},
                                      {"real_pairs", "divergent"},
@@ -88,12 +93,12 @@ void describe_cells(const Model& model, const StabilityReport& r, Writer& w) {
     t.columns.push_back({key, line ? heading : "", "{:.6g}"});
   }
   t.columns.push_back({"reason", "", "", Column::In::json});
-  t.row = [&, csv = w.for_csv()](Index k) {
+  t.row = [&, parameters, csv = w.for_csv()](Index k) {
     const StabilityMap::Cell& cell = r.map->cells[static_cast<std::size_t>(k)];
     const StabilityPoint& p = cell.point;
     const auto unless_unlawful = [&](auto x) { return csv && !p.law_kept ? Json(nullptr) : Json(x); };
     std::vector<Cell> row{{cell.values}};
-    for (const double v : cell.values) row.push_back({v});
+    for (std::size_t i = 0; i < cell.values.size(); ++i) row.push_back({parameters[i].shown(cell.values[i])});
     row.insert(row.end(), {{csv && !p.law_kept ? Json("no_model") : verdict(p), verdict_word(p)},
                            {unless_unlawful(p.growth_rate), p.law_kept ? "" : " "},
                            {unless_unlawful(p.balance.real_pairs)},
@@ -103,15 +108,16 @@ void describe_cells(const Model& model, const StabilityReport& r, Writer& w) {
     return row;
   };
   w.table(t);
-  if (!line) w.drawing(chart(model, r));
+  if (!line) w.drawing(chart(model, r, w));
 }
 
 void describe_critical(const Model& model, const StabilityReport& r, Writer& w) {
+  const VariedParameter along = varied(model, r, 0, w);
   Table t{"critical",
           fmt::format("critical values, from {} verdicts between those of the grid", r.map->evaluations),
           {{"key"},
-           {"value", with_unit(model, r.varied[0])},
-           {"", r.varied.size() > 1 ? "at " + with_unit(model, r.varied[1]) : ""},
+           {"value", varied(model, r, 0, w).title()},
+           {"", r.varied.size() > 1 ? "at " + varied(model, r, 1, w).title() : ""},
            {"bracket"},
            {"from"},
            {"to"},
@@ -125,8 +131,8 @@ void describe_critical(const Model& model, const StabilityReport& r, Writer& w) 
     Json at = no_value;
     if (!c.others.empty()) at = {{r.varied[1], c.others[0]}};
     return std::vector<Cell>{{r.varied[c.axis]},
-                             {c.value, determined(c.value, 0.5 * (c.hi - c.lo))},
-                             {nullptr, c.others.empty() ? "" : fmt::format("{:.10g}", c.others[0])},
+                             {c.value, determined(along.shown(c.value), along.shown(0.5 * (c.hi - c.lo)))},
+                             {nullptr, c.others.empty() ? "" : fmt::format("{:.10g}", varied(model, r, 1, w).shown(c.others[0]))},
                              {{c.lo, c.hi}},
                              {verdict(c.from)},
                              {verdict(c.to)},

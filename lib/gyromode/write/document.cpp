@@ -5,6 +5,8 @@
 
 #include "gyromode/write/response_svg.h"
 #include "gyromode/write/result_svg.h"
+#include "gyromode/write/rotor_svg.h"
+#include "gyromode/write/stability_svg.h"
 #include "gyromode/write/writer.h"
 
 namespace gyromode {
@@ -43,7 +45,7 @@ std::string written(std::string_view kind, const Model& model, const Result& res
 
 std::string document(const Model& model, const ModesResult& result, const Timings& timings, const Layout& layout, int version,
                      const ModeDetails& details) {
-  if (layout.format == Format::svg) return modes_svg(model, result);
+  if (layout.format == Format::svg) return is_of_shafts(result) ? rotor_svg(model, result, details, layout) : modes_svg(model, result);
   const std::unique_ptr<Writer> w = writer("modes", model, timings, layout, version);
   describe(model, result, details, *w);
   describe_sensitivities(details.sensitivities, result.frequencies(), *w);
@@ -53,10 +55,17 @@ std::string document(const Model& model, const ModesResult& result, const Timing
 ModeDetails details_of(const Model& model, const ModesResult& result) {
   ModeDetails d;
   const std::vector<OrbitCoordinates> places = model.body->orbits();
+  const bool turning = model.frame == Frame::turning && model.spin;
   for (const Mode& m : result.modes) {
     const bool there = m.shape.size() > 0 && m.kind != ModeKind::rigid_body;
     d.whirl.push_back(there ? whirl_of(m.shape, places) : std::nullopt);
+    d.orbits.emplace_back();
+    for (const OrbitCoordinates& p : places) {
+      if (there && !p.name.empty()) d.orbits.back().emplace_back(p.name, orbit_of(m.shape, p));
+    }
+    d.fixed_axes.push_back(there && turning ? in_fixed_axes(m.shape, m.omega, *model.spin, places) : std::vector<FixedAxesPart>{});
     d.energy_shares.push_back(there ? model.body->energy_shares(m, result.outlines) : std::vector<EnergyShare>{});
+    d.names.push_back(model.body->name_of(m, d.energy_shares.back()));
   }
   return d;
 }
@@ -82,6 +91,7 @@ std::string document(const Model& model, const CriticalMap& map, const Timings& 
   return layout.format == Format::svg ? critical_map_svg(model, map, layout) : written("critical", model, map, timings, layout);
 }
 std::string document(const Model& model, const StabilityReport& report, const Timings& timings, const Layout& layout) {
+  if (layout.format == Format::svg) return stability_svg(model, report, layout);
   return written("stability", model, report, timings, layout);
 }
 std::string document(const Model& model, const ResponseReport& report, const Timings& timings, const Layout& layout) {

@@ -40,11 +40,15 @@ struct Layout {
 
 /// What else may be said of modes.
 struct ModeDetails {
-  std::vector<Sensitivity> sensitivities;               ///< to numbers of the model
-  std::vector<std::optional<Whirl>> whirl;              ///< of every mode, or empty
-  std::vector<std::vector<EnergyShare>> energy_shares;  ///< of every mode, or empty
+  std::vector<Sensitivity> sensitivities;                          ///< to numbers of the model
+  std::vector<std::optional<Whirl>> whirl;                         ///< of every mode, or empty
+  std::vector<std::string> names;                                  ///< of every mode, what the field calls it, or empty
+  std::vector<std::vector<std::pair<std::string, Orbit>>> orbits;  ///< of every mode, of its places by name, or empty
+  std::vector<std::vector<FixedAxesPart>> fixed_axes;              ///< of every mode of a model in turning axes, or empty
+  std::vector<std::vector<EnergyShare>> energy_shares;             ///< of every mode, or empty
 };
-/// Whirl and shares of energy of modes with their shapes, where the model has places and parts.
+/// Whirl, orbits, frequencies in fixed axes and shares of energy of modes with their shapes, where the model has places
+/// and parts.
 ModeDetails details_of(const Model& model, const ModesResult& result);
 
 /// The numbers that a verdict and a list of modes rest on, a line each, for people: components, index balance, counts,

@@ -141,9 +141,15 @@ std::string most_energy_in(const std::vector<EnergyShare>& shares) {
   return words;
 }
 
+// With its sign, + too, and a true minus.
+std::string signed_number(double x) {
+  const std::string size = fmt::format("{:.7g}", std::abs(x));
+  return (x < 0 ? "−" : "+") + size;
+}
+
 // As a person reads a mode: with the digits that are determined; modes that read alike are one line.
 struct ModeLine {
-  std::string omega, hertz, kind, whirl, where;
+  std::string omega, hertz, kind, whirl, fixed_axes, where;
   int sign;
   Index first, last;
   double residual;
@@ -158,10 +164,16 @@ struct ModeLine {
         residual(m.residual) {
     const auto k = static_cast<std::size_t>(at);
     if (k < d.whirl.size() && d.whirl[k]) whirl = to_string(*d.whirl[k]);
+    if (k < d.fixed_axes.size()) {
+      for (const FixedAxesPart& p : d.fixed_axes[k])
+        fixed_axes += fmt::format("{}{}", fixed_axes.empty() ? "" : ", ", signed_number(w.frequency(p.omega)));
+    }
+    if (k < d.names.size() && !d.names[k].empty()) kind = d.names[k];
     if (k < d.energy_shares.size()) where = most_energy_in(d.energy_shares[k]);
   }
   bool reads_like(const ModeLine& other) const {
-    return omega == other.omega && kind == other.kind && sign == other.sign && whirl == other.whirl && where == other.where;
+    return omega == other.omega && kind == other.kind && sign == other.sign && whirl == other.whirl && fixed_axes == other.fixed_axes &&
+           where == other.where;
   }
   Index count() const { return last - first + 1; }
   std::string number() const { return count() == 1 ? fmt::format("{}", first + 1) : fmt::format("{}–{}", first + 1, last + 1); }
@@ -197,14 +209,15 @@ Table modes_lines(const std::vector<Mode>& modes, const ModeDetails& details, co
            {"", "energy"},
            {"", "residual", "{:.1e}"},
            {"", any(&ModeLine::whirl) ? "whirl" : ""},
+           {"", any(&ModeLine::fixed_axes) ? w.frequency_heading("in fixed axes, + forward") : ""},
            {"", "kind"},
            {"", any(&ModeLine::where) ? "kinetic energy in" : ""}},
           static_cast<Index>(lines.size()),
           [lines](Index k) {
             const ModeLine& m = lines[static_cast<std::size_t>(k)];
-            return std::vector<Cell>{{nullptr, m.number()},         {nullptr, m.omega}, {nullptr, m.hertz},
-                                     {nullptr, sign_words(m.sign)}, {m.residual},       {nullptr, m.whirl},
-                                     {nullptr, m.kind_and_count()}, {nullptr, m.where}};
+            return std::vector<Cell>{{nullptr, m.number()}, {nullptr, m.omega}, {nullptr, m.hertz},      {nullptr, sign_words(m.sign)},
+                                     {m.residual},          {nullptr, m.whirl}, {nullptr, m.fixed_axes}, {nullptr, m.kind_and_count()},
+                                     {nullptr, m.where}};
           }};
 }
 
@@ -214,6 +227,30 @@ Json whirl_of_mode(const ModeDetails& d, Index k) {
   const auto i = static_cast<std::size_t>(k);
   if (i >= d.whirl.size()) return no_value;
   return d.whirl[i] ? Json(to_string(*d.whirl[i])) : Json(nullptr);
+}
+
+Json name_of_mode(const ModeDetails& d, Index k) {
+  const auto i = static_cast<std::size_t>(k);
+  return i < d.names.size() && !d.names[i].empty() ? Json(d.names[i]) : no_value;
+}
+
+// [{"omega", "share"}], signed.
+Json fixed_axes_of_mode(const ModeDetails& d, Index k) {
+  const auto i = static_cast<std::size_t>(k);
+  if (i >= d.fixed_axes.size() || d.fixed_axes[i].empty()) return no_value;
+  Json all = Json::array();
+  for (const FixedAxesPart& p : d.fixed_axes[i]) all.push_back({{"omega", p.omega}, {"share", p.share}});
+  return all;
+}
+
+// {place: {"whirl", "major", "minor", "inclination"}}
+Json orbits_of_mode(const ModeDetails& d, Index k) {
+  const auto i = static_cast<std::size_t>(k);
+  if (i >= d.orbits.size() || d.orbits[i].empty()) return no_value;
+  Json all = Json::object();
+  for (const auto& [name, o] : d.orbits[i])
+    all[name] = {{"whirl", to_string(o.whirl())}, {"major", o.major}, {"minor", o.minor}, {"inclination", o.inclination}};
+  return all;
 }
 
 // {"kinetic": {part: share}, "strain": {part: share}}
@@ -245,6 +282,9 @@ Table modes_table(const Model& model, std::string key, const std::vector<Mode>& 
            {"cluster", "", "", Column::In::json},
            {"bracket", "", "", Column::In::json},
            {"whirl", "", "", details.whirl.empty() ? Column::In::json : Column::In::both},
+           {"name", "", "", Column::In::json},
+           {"fixed_axes", "", "", Column::In::json},
+           {"orbits", "", "", Column::In::json},
            {"participation", "", "", Column::In::json},
            {"shape", "", "", Column::In::json},
            {"displacements", "", "", Column::In::json}},
@@ -265,6 +305,9 @@ Table modes_table(const Model& model, std::string key, const std::vector<Mode>& 
                           {m.cluster > 1 ? Json(m.cluster) : no_value},
                           {m.bracket ? Json(*m.bracket) : no_value},
                           {whirl_of_mode(details, k)},
+                          {name_of_mode(details, k)},
+                          {fixed_axes_of_mode(details, k)},
+                          {orbits_of_mode(details, k)},
                           {participation(details, k)},
                           {nested ? shape_json(model.labels(), m.shape) : no_value},
                           {nested ? displacements(m.field) : no_value}};
