@@ -111,6 +111,68 @@ TEST(Sensitivities, OfRotorsScale) {
   }
 }
 
+// All lengths by s, with moduli by 1/s, densities by 1/s³ and inertias by s², change the metre: ω stays. Discs and bearings
+// stand between the ends of their section, so that every length has a derivative.
+TEST(Sensitivities, OfRotorsDoNotKnowTheMetre) {
+  const Model model = parse_model(R"(kind = "rotor"
+speed = 200
+[material.steel]
+young = 2.1e11
+shear = 8.1e10
+density = 7800
+[[shaft]]
+length = 1.5
+outer_diameter = [0.05, 0.06]
+inner_diameter = 0.01
+elements = 6
+material = "steel"
+[[disk]]
+position = 0.5
+offset = 0.02
+mass = 20
+polar_inertia = 0.3
+diametral_inertia = 0.17
+[[disk]]
+position = 1.0
+width = 0.07
+inner_diameter = 0.05
+outer_diameter = 0.35
+material = "steel"
+[[bearing]]
+position = 0.25
+kxx = 1e6
+kyy = 2e6
+[[bearing]]
+position = 1.25
+kxx = 1e6
+kyy = 2e6
+)",
+                                  "rotor.toml");
+  const ModesResult r = with_shapes(model, 6);
+  const auto all = model.sensitivities(r.modes);
+  for (std::size_t k = 0; k < r.modes.size(); ++k) {
+    if (r.modes[k].kind == ModeKind::rigid_body) continue;
+    double sum = 0, open = 0, largest = 0;
+    for (const Sensitivity& s : all) {
+      const std::string& key = s.parameter.key;
+      if (s.parameter.value == 0) continue;
+      const bool modulus = key.ends_with("young") || key.ends_with("shear");
+      const bool length = key.ends_with("position") || key.ends_with("length") || key.find("diameter") != std::string::npos ||
+                          key.ends_with("offset") || key.ends_with("width");
+      const double metres = modulus ? -1 : key.ends_with("density") ? -3 : key.ends_with("_inertia") ? 2 : length ? 1 : 0;
+      if (metres == 0) continue;
+      ASSERT_FALSE(std::isnan(s.slope[k])) << key;
+      const double part = metres * s.relative(k, r.modes[k].omega);
+      sum += part;
+      largest = std::max(largest, std::abs(part));
+      open += std::abs(metres * s.error[k] * s.parameter.value / r.modes[k].omega);
+    }
+    EXPECT_GT(largest, 0.1);
+    EXPECT_NEAR(sum, 0, 1e-9 + open) << k;
+    EXPECT_LT(open, 1e-6) << k;
+  }
+}
+
 // What only spin holds has frequencies that go with the spin.
 TEST(Sensitivities, OfWiresToTheSpinAreTheirFrequencies) {
   for (const char* name : {"geos.toml", "themis.toml"}) {

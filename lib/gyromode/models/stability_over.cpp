@@ -1,6 +1,7 @@
 #include "gyromode/models/stability_over.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/sweep/campbell.h"
 
 namespace gyromode {
 
@@ -26,6 +27,29 @@ StabilityPoint verdict_at(const ModelKind& model, const std::vector<ParameterAxi
   }
 }
 
+// The middles of intervals of flutter that branches over the spin show, of a family of matrices; none where the parameter
+// is another, or nothing can be followed.
+std::vector<double> flutter_over_spin(const ModelKind& model, const ParameterAxis& axis, const Progress& progress) {
+  constexpr Index largest = 200;  // coordinates: every spin is solved whole
+  if (axis.keys != model.speed_key() || axis.values.size() < 2 || model.size() > largest) return {};
+  try {
+    const SpinSource source = model.spin_source();
+    if (!source.family) return {};
+    CampbellOptions o;
+    o.spins = axis.values;
+    o.lowest = model.size();
+    o.orders.clear();
+    o.progress.stop = progress.stop;
+    std::vector<double> all;
+    for (const Encounter& e : campbell(source, o).encounters) {
+      if (e.flutter) all.push_back(0.5 * ((*e.flutter)[0] + (*e.flutter)[1]));
+    }
+    return all;
+  } catch (const Error&) {  // no such family, or no mode at a spin
+    return {};
+  }
+}
+
 }  // namespace
 
 StabilityMap stability_over(const ModelKind& model, const std::vector<ParameterAxis>& axes, const Progress& progress) {
@@ -35,22 +59,29 @@ StabilityMap stability_over(const ModelKind& model, const std::vector<ParameterA
     require_parameter(model, axis.keys);
     values.push_back(axis.values);
   }
-  const Thresholds thresholds = [&](const std::vector<double>& others) -> std::vector<double> {
-    const auto& first = axes.front();
+  const ParameterAxis& first = axes.front();
+  // What the model at the value of the second parameter says of the first.
+  const auto of_row = [&](const std::vector<double>& others, const auto& say) -> std::vector<double> {
     if (keys_of(first.keys).size() != 1) return {};
+    if (others.empty()) return say(model);
+    std::vector<ParameterValue> rest;
+    for (const std::string& key : keys_of(axes[1].keys)) rest.push_back({key, others[0]});
     std::shared_ptr<const ModelKind> at;
-    if (!others.empty()) {
-      std::vector<ParameterValue> rest;
-      for (const std::string& key : keys_of(axes[1].keys)) rest.push_back({key, others[0]});
-      try {
-        at = model.with(rest);
-      } catch (const Error&) {  // no model there
-        return {};
-      }
+    try {
+      at = model.with(rest);
+    } catch (const Error&) {  // no model there
+      return {};
     }
-    return (at ? *at : model).divergence_thresholds(first.keys, first.values.front(), first.values.back());
+    return say(*at);
   };
-  return map_stability([&](const std::vector<double>& at) { return verdict_at(model, axes, at); }, std::move(values), progress, thresholds);
+  const Thresholds thresholds = [&](const std::vector<double>& others) {
+    return of_row(others, [&](const ModelKind& m) { return m.divergence_thresholds(first.keys, first.values.front(), first.values.back()); });
+  };
+  const Thresholds flutter = [&](const std::vector<double>& others) {
+    return of_row(others, [&](const ModelKind& m) { return flutter_over_spin(m, first, progress); });
+  };
+  return map_stability([&](const std::vector<double>& at) { return verdict_at(model, axes, at); }, std::move(values), progress, thresholds,
+                       flutter);
 }
 
 }  // namespace gyromode

@@ -46,7 +46,7 @@ std::vector<double> different(std::vector<double> places, double tolerance) {
 // A section is parted where parts are on it, and every piece into elements of equal length by its share of them: no
 // element is short but between parts that are near each other.
 void add_nodes(double start, double end, Index elements, const std::vector<double>& parts, double tolerance, std::vector<double>& to) {
-  constexpr double rounding = 1e-6;  // of an element
+  constexpr double longer = 0.05;  // of an element: the count stays where a part moves a little
   std::vector<double> cuts{start, end};
   for (const double z : parts) {
     if (z > start + tolerance && z < end - tolerance) cuts.push_back(z);
@@ -54,7 +54,7 @@ void add_nodes(double start, double end, Index elements, const std::vector<doubl
   cuts = different(std::move(cuts), tolerance);
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     const double piece = cuts[k + 1] - cuts[k];
-    const auto count = std::max(1.0, std::ceil(static_cast<double>(elements) * piece / (end - start) - rounding));
+    const auto count = std::max(1.0, std::ceil(static_cast<double>(elements) * piece / (end - start) - longer));
     for (double e = 0; e < count; ++e) to.push_back(cuts[k] + piece * e / count);
   }
   to.push_back(end);

@@ -104,9 +104,16 @@ struct RowBorders {
   }
 };
 
+// Roots collide only with those of the other energy sign.
+bool may_flutter(const StabilityMap::Cell* cells, std::size_t count) {
+  return std::any_of(cells, cells + count, [](const StabilityMap::Cell& c) {
+    return c.point.decided() && (c.point.balance.negative_energy > 0 || c.point.balance.quadruples > 0);
+  });
+}
+
 // One row of the grid, at `rest` of the second parameter (empty without one): its cells, then its borders.
 void add_row(const Verdict& verdict, const std::vector<double>& rest, const Progress& progress, const Thresholds& thresholds,
-             StabilityMap& map) {
+             const Thresholds& inside, StabilityMap& map) {
   const std::vector<double>& along = map.axes.front();
   const Index all = static_cast<Index>(along.size() * (map.axes.size() > 1 ? map.axes[1].size() : 1));
   const auto point = [&](double x) {
@@ -127,7 +134,12 @@ void add_row(const Verdict& verdict, const std::vector<double>& rest, const Prog
   std::vector<double> known = thresholds ? thresholds(rest) : std::vector<double>{};
   std::sort(known.begin(), known.end());
   std::vector<Seen> seen;
-  for (const double x : between_thresholds(along, known)) {
+  std::vector<double> more = between_thresholds(along, known);
+  if (inside && (!known.empty() || may_flutter(map.cells.data() + first, along.size()))) {
+    const std::vector<double> suspected = inside(rest);
+    more.insert(more.end(), suspected.begin(), suspected.end());
+  }
+  for (const double x : more) {
     seen.push_back({x, at(x)});
     ++map.evaluations;
   }
@@ -172,7 +184,7 @@ void fill(StabilityMap& map) {
 }  // namespace
 
 StabilityMap map_stability(const Verdict& verdict, std::vector<std::vector<double>> axes, const Progress& progress,
-                           const Thresholds& thresholds) {
+                           const Thresholds& thresholds, const Thresholds& inside) {
   if (axes.empty() || axes.size() > 2) throw InvalidArgument(fmt::format("a map has one parameter or two: {} were given", axes.size()));
   for (const std::vector<double>& values : axes) {
     if (values.empty() || !std::is_sorted(values.begin(), values.end()))
@@ -182,9 +194,9 @@ StabilityMap map_stability(const Verdict& verdict, std::vector<std::vector<doubl
   map.axes = std::move(axes);
   try {
     if (map.axes.size() == 1)
-      add_row(verdict, {}, progress, thresholds, map);
+      add_row(verdict, {}, progress, thresholds, inside, map);
     else
-      for (const double y : map.axes[1]) add_row(verdict, {y}, progress, thresholds, map);
+      for (const double y : map.axes[1]) add_row(verdict, {y}, progress, thresholds, inside, map);
   } catch (const Interrupted&) {
     map.interrupted = true;
     fill(map);

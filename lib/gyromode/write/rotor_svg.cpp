@@ -24,7 +24,7 @@ constexpr Index places_shown = 9;  // orbits along a shaft
 
 using Point3 = Eigen::Vector3d;
 
-double largest_displacement(const Mode& m) {
+double largest_motion(const Mode& m) {
   double largest = 0;
   for (const ComplexMatrix& line : m.field) largest = std::max(largest, line.cwiseAbs().maxCoeff());
   return largest;
@@ -98,7 +98,7 @@ std::string drawn(const ModesResult& r, const Mode& m, double left, double top) 
     for (const Point3& p : o.points) widest = std::max(widest, std::abs(p(0)));
   }
   constexpr double tallest = 40;  // px, of the radius of a disc
-  const Sizes sizes{deflection / largest_displacement(m), widest > 0 ? std::min(view.scale(), tallest / widest) : 1};
+  const Sizes sizes{deflection / largest_motion(m), widest > 0 ? std::min(view.scale(), tallest / widest) : 1};
   std::string out = fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" class=\"frame\"/>\n", left, top,
                                 panel::width, panel::height);
   const Complex now(1), later(0, 1), rest(0);
@@ -147,7 +147,7 @@ bool is_of_shafts(const ModesResult& r) {
 std::string rotor_svg(const Model& model, const ModesResult& r, const ModeDetails& d, const Layout& l) {
   std::vector<std::size_t> pictured;
   for (std::size_t k = 0; k < r.modes.size(); ++k) {
-    if (!r.modes[k].field.empty() && largest_displacement(r.modes[k]) > 0) pictured.push_back(k);
+    if (!r.modes[k].field.empty() && largest_motion(r.modes[k]) > 0) pictured.push_back(k);
   }
   const double rows = std::ceil(static_cast<double>(pictured.size()) / panel::columns), row = panel::height + panel::caption + panel::gap;
   const double width = panel::columns * (panel::width + panel::gap) + panel::gap, height = panel::head + rows * row + panel::gap;
