@@ -2,9 +2,11 @@
 #include "gyromode/base/error.h"
 #include "gyromode/lapack/small.h"
 #include "gyromode/modes/modes.h"
+#include "gyromode/read/read_model.h"
 #include "gyromode/rotor/rotor.h"
 #include "gyromode/rotor/shaft_element.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -261,6 +263,32 @@ TEST(Rotors, RefusalsNameThePart) {
   EXPECT_EQ(with([](RotorParts& q) { q.materials[0].shear = 1e9; }).substr(0, 57),
             "material 'steel': 'shear' must leave Poisson's ratio E/2G");
   EXPECT_EQ(with([](RotorParts& q) { q.shafts.clear(); }), "a rotor must have a shaft: at least one section was expected");
+}
+
+// Two shafts that meet in a coupling: rigid, they are one; hinged, they do not pass bending on, and the frequencies of
+// a shaft cut in its middle are below.
+TEST(Rotors, CouplingOfTwoShafts) {
+  const std::string head = "kind = \"rotor\"\nspeed = 300\n[material.steel]\nyoung = 2.1e11\nshear = 8.1e10\ndensity = 7800\n";
+  const auto shaft = [](double length, const char* spool) {
+    return fmt::format("[[shaft]]\nlength = {}\nouter_diameter = 0.05\nelements = 4\nmaterial = \"steel\"\n{}", length, spool);
+  };
+  const auto bearings = [](const char* a, const char* b) {
+    return fmt::format("[[bearing]]\nposition = 0\nkxx = 1e7\nkyy = 2e7\n{}[[bearing]]\nposition = 1\nkxx = 1e7\nkyy = 2e7\n{}", a, b);
+  };
+  const auto coupled = [&](const char* tilt) {
+    return head + "[spool.driver]\n[spool.driven]\nstart = 0.5\n" + shaft(0.5, "spool = \"driver\"\n") +
+           shaft(0.5, "spool = \"driven\"\n") + bearings("spool = \"driver\"\n", "spool = \"driven\"\n") +
+           fmt::format(
+               "[[bearing]]\nposition = 0.5\nspool = \"driver\"\nto = \"driven\"\nkxx = inf\nkyy = inf\ntilt_xx = {0}\ntilt_yy = {0}\n",
+               tilt);
+  };
+  const std::string whole = head + shaft(0.5, "") + shaft(0.5, "") + bearings("", "");
+  const auto frequencies = [](const std::string& text) { return parse_model(text, "rotor.toml").modes().frequencies(); };
+  const std::vector<double> one = frequencies(whole), rigid = frequencies(coupled("inf")), hinged = frequencies(coupled("1e3"));
+  ASSERT_EQ(one.size(), rigid.size());
+  for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(rigid[k], one[k], 1e-9 * one[k]);
+  ASSERT_EQ(hinged.size(), one.size() + 2);
+  EXPECT_LT(hinged[0], 0.8 * one[0]);
 }
 
 }  // namespace

@@ -111,8 +111,8 @@ TEST(Sensitivities, OfRotorsScale) {
   }
 }
 
-// All lengths by s, with moduli by 1/s, densities by 1/s³ and inertias by s², change the metre: ω stays. Discs and bearings
-// stand between the ends of their section, so that every length has a derivative.
+// All lengths by s, with moduli by 1/s, densities by 1/s³ and inertias by s², change the metre: ω stays. Discs and
+// bearings stand between the ends of their section, so that every length has a derivative.
 TEST(Sensitivities, OfRotorsDoNotKnowTheMetre) {
   const Model model = parse_model(R"(kind = "rotor"
 speed = 200

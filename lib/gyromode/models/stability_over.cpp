@@ -27,8 +27,8 @@ StabilityPoint verdict_at(const ModelKind& model, const std::vector<ParameterAxi
   }
 }
 
-// The middles of intervals of flutter that branches over the spin show, of a family of matrices; none where the parameter
-// is another, or nothing can be followed.
+// The middles of intervals of flutter that branches over the spin show, of a family of matrices; none where the
+// parameter is another, or nothing can be followed.
 std::vector<double> flutter_over_spin(const ModelKind& model, const ParameterAxis& axis, const Progress& progress) {
   constexpr Index largest = 200;  // coordinates: every spin is solved whole
   if (axis.keys != model.speed_key() || axis.values.size() < 2 || model.size() > largest) return {};
@@ -75,7 +75,8 @@ StabilityMap stability_over(const ModelKind& model, const std::vector<ParameterA
     return say(*at);
   };
   const Thresholds thresholds = [&](const std::vector<double>& others) {
-    return of_row(others, [&](const ModelKind& m) { return m.divergence_thresholds(first.keys, first.values.front(), first.values.back()); });
+    return of_row(others,
+                  [&](const ModelKind& m) { return m.divergence_thresholds(first.keys, first.values.front(), first.values.back()); });
   };
   const Thresholds flutter = [&](const std::vector<double>& others) {
     return of_row(others, [&](const ModelKind& m) { return flutter_over_spin(m, first, progress); });

@@ -13,9 +13,11 @@ namespace gyromode {
 
 namespace {
 
-constexpr int most_halvings = 24;    // of a step in which roots come or go
-constexpr int most_for_slopes = 10;  // of those because branches do not lead where their slopes say
-constexpr double unresolved = 4;     // times the errors of two frequencies: a distance below is not known
+constexpr int most_halvings = 24;     // of a step in which roots come or go
+constexpr int most_for_slopes = 10;   // of those because branches do not lead where their slopes say
+constexpr int most_refinements = 16;  // of a step in which branches may meet
+constexpr int most_between_ends = 6;  // of those though no end has both: one root that goes through zero looks so too
+constexpr double unresolved = 4;      // times the errors of two frequencies: a distance below is not known
 
 // Whether roots came or went between two spins otherwise than through the upper end of the window.
 bool same_balance(const SpinSample& a, const SpinSample& b) {
@@ -197,7 +199,6 @@ SpinTrack::SpinTrack(const SpinSampler& sampler, const std::vector<double>& spin
     last = &points_.at(spin);
   }
   if (!last) throw Interrupted();
-  constexpr int most_refinements = 16;
   std::vector<double> joined;
   for (const auto& [spin, point] : points_) joined.push_back(spin);
   for (std::size_t k = 0; k + 1 < joined.size(); ++k) refine(joined[k], joined[k + 1], most_refinements);
@@ -248,7 +249,7 @@ bool SpinTrack::may_meet_before_the_end(const Point& here, const Point& there) {
     if (mode(there, here.branch[i]) || !leaving.slope) continue;
     for (std::size_t k = 0; k < here.branch.size(); ++k) {
       const SampledMode& other = here.sample.modes[k];
-      if (k == i || !other.slope || other.block == leaving.block) continue;
+      if (k == i || !other.slope || (other.block == leaving.block && other.energy_sign == leaving.energy_sign)) continue;
       const double d = leaving.omega - other.omega;
       if (d * (d + reach * step * (*leaving.slope - *other.slope)) < 0) return true;
     }
@@ -256,11 +257,28 @@ bool SpinTrack::may_meet_before_the_end(const Point& here, const Point& there) {
   return false;
 }
 
+// Whether a branch goes to zero in a step and another comes from there, so that they may meet though no end of the step
+// has both.
+bool SpinTrack::may_meet_between_ends(const Point& a, const Point& b) {
+  constexpr double reach = 4;
+  const double step = b.sample.spin - a.sample.spin;
+  const auto at_zero = [&](const Point& here, const Point& there, double sign) {
+    for (std::size_t i = 0; i < here.branch.size(); ++i) {
+      const SampledMode& m = here.sample.modes[i];
+      if (!mode(there, here.branch[i]) && m.slope && m.omega + sign * reach * step * *m.slope < 0) return true;
+    }
+    return false;
+  };
+  return at_zero(a, b, 1) && at_zero(b, a, -1);
+}
+
 void SpinTrack::refine(double below, double above, int halvings) {
   const double middle = 0.5 * (below + above);
   if (halvings == 0 || middle == below || middle == above) return;
   const Point &a = points_.at(below), &b = points_.at(above);
-  if (is_understood(a.sample, b.sample) && !may_meet_before_the_end(a, b) && !may_meet_before_the_end(b, a)) return;
+  const bool meet = may_meet_before_the_end(a, b) || may_meet_before_the_end(b, a) ||
+                    (halvings > most_refinements - most_between_ends && may_meet_between_ends(a, b));
+  if (is_understood(a.sample, b.sample) && !meet) return;
   at(middle);
   refine(below, middle, halvings - 1);
   refine(middle, above, halvings - 1);

@@ -51,6 +51,7 @@ class SpinTrack {
   static std::map<Key, std::vector<Index>> lists_of(const SpinSample& s);
   static bool is_understood(const SpinSample& a, const SpinSample& b);
   static bool may_meet_before_the_end(const Point& here, const Point& there);
+  static bool may_meet_between_ends(const Point& a, const Point& b);
 
   const SpinSampler& sampler_;
   std::map<double, Point> points_;
