@@ -42,7 +42,7 @@ TEST(Unbalance, JeffcottRotor) {
         EXPECT_TRUE(p.resonance());
         continue;
       }
-      const Complex x = std::polar(u * p.speed * p.speed / (k - m * p.speed * p.speed), 0.3);
+      const Complex x = u * p.speed * p.speed / (k - m * p.speed * p.speed) * std::polar(1.0, 0.3);
       const double near = 1e-13 * std::abs(x) * (1 + 16 / std::abs(16 - p.speed * p.speed));
       EXPECT_LE(std::abs(p.q(0) - x), near) << p.speed;
       EXPECT_LE(std::abs(p.q(1) + Complex(0, 1) * x), near) << p.speed;

@@ -53,7 +53,7 @@ std::vector<double> flutter_over_spin(const ModelKind& model, const ParameterAxi
 }  // namespace
 
 StabilityMap stability_over(const ModelKind& model, const std::vector<ParameterAxis>& axes, const Progress& progress) {
-  if (axes.size() > 2) throw InvalidArgument("a map has one parameter or two");
+  if (axes.empty() || axes.size() > 2) throw InvalidArgument("a map has one parameter or two");
   std::vector<std::vector<double>> values;
   for (const ParameterAxis& axis : axes) {
     require_parameter(model, axis.keys);

@@ -22,7 +22,7 @@ struct Place {
 
 // x = U cos(rΩt + φ), y = U sin(rΩt + φ), as the real parts of f e^{jrΩt}.
 std::array<Complex, 2> components(const Unbalance& u) {
-  const Complex x = std::polar(u.product, u.phase);
+  const Complex x = u.product * std::polar(1.0, u.phase);
   return {x, Complex(0, -1) * x};
 }
 
