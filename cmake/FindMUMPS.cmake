@@ -1,0 +1,12 @@
+# MUMPS::MUMPS, sparse factorisation in double precision without MPI (Debian: libmumps-seq-dev).
+find_library(MUMPS_LIBRARY dmumps_seq)
+find_library(MUMPS_COMMON_LIBRARY mumps_common_seq)
+find_library(MUMPS_MPI_LIBRARY mpiseq_seq)
+find_path(MUMPS_INCLUDE_DIR dmumps_c.h)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(MUMPS REQUIRED_VARS MUMPS_LIBRARY MUMPS_COMMON_LIBRARY MUMPS_MPI_LIBRARY MUMPS_INCLUDE_DIR)
+mark_as_advanced(MUMPS_LIBRARY MUMPS_COMMON_LIBRARY MUMPS_MPI_LIBRARY MUMPS_INCLUDE_DIR)
+if(MUMPS_FOUND AND NOT TARGET MUMPS::MUMPS)
+  add_library(MUMPS::MUMPS UNKNOWN IMPORTED)
+  set_target_properties(MUMPS::MUMPS PROPERTIES IMPORTED_LOCATION ${MUMPS_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${MUMPS_INCLUDE_DIR} INTERFACE_LINK_LIBRARIES "${MUMPS_COMMON_LIBRARY};${MUMPS_MPI_LIBRARY}")
+endif()

@@ -1,0 +1,115 @@
+#include "gyromode/sparse/factor.h"
+
+#include "gyromode/base/error.h"
+
+#include <dmumps_c.h>
+
+#include <fmt/format.h>
+
+#include <cassert>
+
+namespace gyromode::sparse {
+
+// The arrays that MUMPS has pointers to.
+struct SymmetricFactor::Instance {
+  DMUMPS_STRUC_C mumps{};
+  std::vector<int> rows, columns, order;
+  std::vector<double> values;
+
+  void run(int job) {
+    mumps.job = job;
+    dmumps_c(&mumps);
+  }
+  int& control(int which) { return mumps.icntl[which - 1]; }
+  int status() const { return mumps.infog[0]; }
+};
+
+namespace {
+
+constexpr int begin = -1, end = -2, analyse = 1, factorise = 2, solve_with = 3;
+constexpr int too_little_workspace[] = {-8, -9, -11, -14, -15, -17, -20};
+
+bool wants_more_workspace(int status) {
+  for (const int s : too_little_workspace) {
+    if (s == status) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+SymmetricFactor::SymmetricFactor(const SparseMatrix& pattern, const std::vector<int>& order, Keep keep)
+    : of_(std::make_unique<Instance>()), keep_(keep), size_(pattern.cols()), non_zeros_(pattern.nonZeros()) {
+  Instance& m = *of_;
+  m.mumps.sym = 2;
+  m.mumps.par = 1;
+  m.mumps.comm_fortran = -987654;  // MPI_COMM_WORLD
+  m.run(begin);
+  for (const int stream : {1, 2, 3, 4}) m.control(stream) = 0;  // silent
+  m.control(7) = 1;                                             // the order given
+  m.control(14) = 30;                                           // % of workspace more than estimated, for pivoting
+  m.control(31) = keep == Keep::counts ? 1 : 0;
+  m.rows.reserve(static_cast<std::size_t>(non_zeros_));
+  m.columns.reserve(static_cast<std::size_t>(non_zeros_));
+  for (Index j = 0; j < pattern.outerSize(); ++j) {
+    for (SparseMatrix::InnerIterator it(pattern, j); it; ++it) {
+      m.rows.push_back(static_cast<int>(it.row()) + 1);
+      m.columns.push_back(static_cast<int>(j) + 1);
+    }
+  }
+  m.order = order;
+  for (int& position : m.order) ++position;
+  m.mumps.n = static_cast<int>(size_);
+  m.mumps.nnz = static_cast<MUMPS_INT8>(non_zeros_);
+  m.mumps.irn = m.rows.data();
+  m.mumps.jcn = m.columns.data();
+  m.mumps.perm_in = m.order.data();
+  m.run(analyse);
+  if (m.status() < 0)
+    throw TooLarge(
+        fmt::format("the matrix of order {} could not be analysed for factorisation (MUMPS {}, {})", size_, m.status(), m.mumps.infog[1]));
+}
+
+SymmetricFactor::~SymmetricFactor() { of_->run(end); }
+
+double SymmetricFactor::megabytes() const { return of_->mumps.infog[20] > 0 ? of_->mumps.infog[20] : of_->mumps.infog[16]; }
+
+double SymmetricFactor::entries() const {
+  const int n = of_->mumps.infog[2];
+  return n >= 0 ? n : -1e6 * n;  // in millions where it is large
+}
+
+Index SymmetricFactor::factor(const SparseMatrix& lower) {
+  assert(lower.nonZeros() == non_zeros_ && lower.cols() == size_);
+  Instance& m = *of_;
+  m.values.assign(lower.valuePtr(), lower.valuePtr() + lower.nonZeros());
+  m.mumps.a = m.values.data();
+  constexpr int most_workspace = 1000;
+  for (int percent = 30;; percent *= 3) {
+    m.control(14) = percent;
+    m.run(factorise);
+    if (!wants_more_workspace(m.status()) || percent > most_workspace) break;
+  }
+  if (m.status() == -13 || m.status() < -1000 || wants_more_workspace(m.status()))
+    throw TooLarge(fmt::format("factorising a matrix of order {} with {:.3g} entries in its factor takes some {} MB, which are not there",
+                               size_, entries(), m.mumps.infog[16]));
+  if (m.status() < 0 && m.status() != -10)  // −10: numerically singular, which counts decide
+    throw NotConverged(fmt::format("a matrix of order {} could not be factorised (MUMPS {}, {})", size_, m.status(), m.mumps.infog[1]));
+  return m.mumps.infog[11];
+}
+
+Matrix SymmetricFactor::solve(Matrix b) {
+  assert(keep_ == Keep::factors && b.rows() == size_);
+  if (b.cols() == 0) return b;
+  Instance& m = *of_;
+  m.mumps.rhs = b.data();
+  m.mumps.nrhs = static_cast<int>(b.cols());
+  m.mumps.lrhs = static_cast<int>(size_);
+  constexpr int together = 32;
+  m.control(27) = std::min<int>(static_cast<int>(b.cols()), together);
+  m.run(solve_with);
+  if (m.status() < 0) throw NotConverged(fmt::format("a system of order {} could not be solved (MUMPS {})", size_, m.status()));
+  return b;
+}
+
+}  // namespace gyromode::sparse

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "gyromode/sparse/matrix.h"
+
+#include <memory>
+#include <vector>
+
+namespace gyromode::sparse {
+
+/// A = Pᵀ L D Lᵀ P of symmetric sparse matrices of one pattern, with pivoting (MUMPS): the pattern is analysed once.
+class SymmetricFactor {
+ public:
+  /// What is kept of a factorisation.
+  enum class Keep {
+    factors,  ///< all of it: systems can be solved
+    counts    ///< the signs of the pivots alone, in a fraction of the memory
+  };
+
+  /// `pattern` by its lower triangle; `order` as node_order() gives it. @throws TooLarge where there is not enough
+  /// memory
+  SymmetricFactor(const SparseMatrix& pattern, const std::vector<int>& order, Keep keep);
+  ~SymmetricFactor();
+  SymmetricFactor(const SymmetricFactor&) = delete;
+  SymmetricFactor& operator=(const SymmetricFactor&) = delete;
+
+  /// Of a matrix with exactly that pattern. @returns the number of negative pivots, arbitrary where it is singular to
+  /// rounding. @throws TooLarge, with the memory that it would take
+  Index factor(const SparseMatrix& lower);
+  /// A⁻¹B, n × m.
+  Matrix solve(Matrix b);
+  /// Megabytes that the last factorisation took, or before the first is estimated to take.
+  double megabytes() const;
+  /// Entries of L, as analysed.
+  double entries() const;
+
+ private:
+  struct Instance;
+  std::unique_ptr<Instance> of_;
+  Keep keep_;
+  Index size_ = 0, non_zeros_ = 0;
+};
+
+}  // namespace gyromode::sparse

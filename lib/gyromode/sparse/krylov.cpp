@@ -1,0 +1,103 @@
+#include "gyromode/sparse/krylov.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace gyromode::sparse {
+
+namespace {
+
+// A frequency of the size of the motions that a block of shapes has when nothing but K acts; 1 where there is none.
+double typical(const SparseSystem& s, const Matrix& x) {
+  const double k = std::abs((x.transpose() * symmetric_times(s.stiffness(), x)).trace()),
+               m = (x.transpose() * symmetric_times(s.mass(), x)).trace();
+  return k > 0 && m > 0 ? std::sqrt(k / m) : 1;
+}
+
+}  // namespace
+
+Krylov::Krylov(const SparseSystem& system, ShiftedImpedance& impedance, Subspace& subspace, const Matrix& start)
+    : system_(system), impedance_(impedance), v_(subspace) {
+  // With a partition the first states move in phase and have velocities in quadrature: what follows keeps to that.
+  const double sigma = impedance.shift();
+  const ComplexMatrix r = (-symmetric_times(system.mass(), start)).cast<Complex>();
+  const ComplexMatrix q = impedance.solve(r);
+  scale_ = sigma > 0 ? sigma : 1;
+  Matrix x = q.real();
+  if (impedance.quadrature()) {
+    for (Index i = 0; i < x.rows(); ++i) {
+      if (impedance.in_quadrature()[static_cast<std::size_t>(i)]) x.row(i).setZero();
+    }
+  }
+  if (sigma == 0) scale_ = typical(system, x);
+  for (Index j = 0; j < x.cols(); ++j) x.col(j) /= x.col(j).norm();
+  const Matrix c = v_.add(x);
+  Matrix state = stacked(c, Matrix::Zero(c.rows(), c.cols()));
+  if (orthonormalise(state)) states_.push_back(std::move(state));
+}
+
+Matrix Krylov::stacked(const Matrix& q, const Matrix& v) const {
+  Matrix s(2 * q.rows(), q.cols());
+  s << scale_ * q, v;
+  return s;
+}
+
+Matrix Krylov::extended(const Matrix& state, Index rows) {
+  const Index half = state.rows() / 2;
+  Matrix s = Matrix::Zero(2 * rows, state.cols());
+  s.topRows(half) = state.topRows(half);
+  s.middleRows(rows, half) = state.bottomRows(half);
+  return s;
+}
+
+// Against all states twice, then among themselves; false where nothing is left.
+bool Krylov::orthonormalise(Matrix& state) const {
+  constexpr double least = 1e-20;
+  const Index rows = state.rows() / 2;
+  for (Index j = 0; j < state.cols(); ++j) {
+    const double size = state.col(j).norm();
+    if (size > 0) state.col(j) /= size;
+  }
+  for (int pass = 0; pass < 2; ++pass) {
+    for (const Matrix& s : states_) {
+      const Matrix e = extended(s, rows);
+      state -= e * (e.transpose() * state);
+    }
+    const Eigen::SelfAdjointEigenSolver<Matrix> e(state.transpose() * state);
+    const double largest = e.eigenvalues().maxCoeff();
+    if (!(largest > least)) return false;
+    Index kept = 0;
+    for (Index k = 0; k < e.eigenvalues().size(); ++k) kept += e.eigenvalues()(k) > 1e-16 * largest ? 1 : 0;
+    Matrix c = e.eigenvectors().rightCols(kept);
+    for (Index k = 0; k < kept; ++k) c.col(k) /= std::sqrt(e.eigenvalues()(e.eigenvalues().size() - kept + k));
+    state = state * c;
+  }
+  return state.cols() > 0;
+}
+
+bool Krylov::step() {
+  if (states_.empty()) return false;
+  const Matrix last = extended(states_.back(), v_.size()), f1 = displacement(last), f2 = velocity(last);
+  const Matrix m1 = v_.mass_times(f1), m2 = v_.mass_times(f2), g1 = skew_times(system_.gyroscopic(), v_.combined(f1));
+  const double sigma = impedance_.shift();
+  const Complex j(0, 1);
+  const ComplexMatrix q = impedance_.solve(ComplexMatrix(-(m2 + g1).cast<Complex>() - (j * sigma) * m1));
+  Matrix state;
+  if (sigma > 0) {
+    Matrix both(q.rows(), 2 * q.cols());
+    both << q.imag() / sigma, q.real();
+    const Matrix c = v_.add(both);
+    state = stacked(c.leftCols(q.cols()), c.rightCols(q.cols()));
+  } else {
+    const Matrix c = v_.add(q.real());
+    Matrix velocities = Matrix::Zero(c.rows(), c.cols());
+    velocities.topRows(f1.rows()) = f1;
+    state = stacked(c, velocities);
+  }
+  if (!orthonormalise(state)) return false;
+  states_.push_back(std::move(state));
+  return true;
+}
+
+}  // namespace gyromode::sparse

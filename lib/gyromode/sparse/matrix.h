@@ -1,0 +1,26 @@
+#pragma once
+
+#include "gyromode/base/types.h"
+
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace gyromode {
+
+/// Compressed columns.
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+namespace sparse {
+
+/// AX of a symmetric A given by its lower triangle, diagonal included.
+Matrix symmetric_times(const SparseMatrix& lower, const Matrix& x);
+/// AX of a skew A given by what is below its diagonal.
+Matrix skew_times(const SparseMatrix& below, const Matrix& x);
+/// The largest column sum of |A| of a (skew-)symmetric A given by its lower triangle.
+double norm1(const SparseMatrix& lower);
+/// The rows and columns `chosen` (ascending) of a symmetric or skew A, of its lower triangle.
+SparseMatrix restricted(const SparseMatrix& lower, const std::vector<Index>& chosen);
+
+}  // namespace sparse
+}  // namespace gyromode

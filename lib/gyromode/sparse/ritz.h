@@ -1,0 +1,38 @@
+#pragma once
+
+#include "gyromode/sparse/subspace.h"
+#include "gyromode/spectrum/spectrum.h"
+
+#include <vector>
+
+namespace gyromode::sparse {
+
+/// A root of the whole system as a subspace knows it.
+struct RitzMode {
+  double omega = 0;        ///< ω > 0
+  int energy_sign = 1;     ///< of Xᴴ(2ωM − jG)X
+  double form = 0;         ///< Xᴴ(2ωM − jG)X
+  double residual = 0;     ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂), 1-norms
+  double error_bound = 0;  ///< on |δω|, to first order: |XᴴHX| and ‖r‖‖X‖ over the form, the lesser that its residual allows
+  ComplexVector shape;     ///< X
+};
+
+/// What the projected system says of a subspace: its roots, ascending, and growing motions.
+struct RitzPairs {
+  Vector omega;                ///< undamped roots, ascending
+  ComplexMatrix coefficients;  ///< of their shapes in V
+  UnstableRoots unstable;      ///< shapes by coefficients in V
+};
+RitzPairs ritz_pairs(const Subspace& v);
+
+/// The norms of a system.
+struct Norms {
+  double k = 0, g = 0, m = 0;
+};
+Norms norms_of(const SparseSystem& system);
+
+/// Residual, form and error of the roots `chosen`.
+std::vector<RitzMode> measured(const SparseSystem& system, const Norms& norms, const Subspace& v, const RitzPairs& pairs,
+                               const std::vector<Index>& chosen);
+
+}  // namespace gyromode::sparse

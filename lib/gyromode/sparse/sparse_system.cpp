@@ -1,0 +1,67 @@
+#include "gyromode/sparse/sparse_system.h"
+
+#include "gyromode/base/error.h"
+#include "gyromode/sparse/factor.h"
+#include "gyromode/sparse/node_order.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+#include <string_view>
+
+namespace gyromode {
+
+namespace {
+
+void require_lower(std::string_view name, const SparseMatrix& a, Index n, bool with_diagonal) {
+  if (a.rows() != n || a.cols() != n)
+    throw LawBroken(fmt::format("{} is {} × {}: {} × {} was expected, as M is", name, a.rows(), a.cols(), n, n));
+  for (Index j = 0; j < n; ++j) {
+    for (SparseMatrix::InnerIterator it(a, j); it; ++it) {
+      if (!std::isfinite(it.value())) throw LawBroken(fmt::format("{} must be finite: entry ({},{}) is not", name, it.row() + 1, j + 1));
+      if (it.row() < j || (it.row() == j && !with_diagonal && it.value() != 0))
+        throw LawBroken(
+            fmt::format("{}: entry ({},{}) is not {} the diagonal", name, it.row() + 1, j + 1, with_diagonal ? "on or below" : "below"));
+    }
+  }
+}
+
+// Whether M is singular to rounding: of its factorisation or of the digits of a file, 10⁻¹² of every diagonal entry.
+// Elements of reduced integration leave motions without mass.
+bool is_singular_mass(const SparseMatrix& mass, const std::vector<int>& node, const Labels& labels) {
+  constexpr double rounding = 1e-12;
+  const Vector diagonal = mass.diagonal();
+  for (Index j = 0; j < mass.cols(); ++j) {
+    if (!(diagonal(j) > 0))
+      throw LawBroken(
+          fmt::format("M must be positive definite: its diagonal entry of {} is {:.6g}", labels[static_cast<std::size_t>(j)], diagonal(j)));
+  }
+  sparse::SymmetricFactor factor(mass, sparse::node_order(mass, node), sparse::SymmetricFactor::Keep::counts);
+  SparseMatrix shifted = mass;
+  for (Index j = 0; j < mass.cols(); ++j) shifted.coeffRef(j, j) -= rounding * diagonal(j);
+  if (factor.factor(shifted) == 0) return false;
+  for (Index j = 0; j < mass.cols(); ++j) shifted.coeffRef(j, j) += 2 * rounding * diagonal(j);
+  const Index negative = factor.factor(shifted);
+  if (negative > 0) throw LawBroken(fmt::format("M must not be indefinite: {} of its eigenvalues are negative beyond rounding", negative));
+  return true;
+}
+
+}  // namespace
+
+SparseSystem::SparseSystem(SparseMatrices matrices) : of_(std::move(matrices)) {
+  const Index n = of_.mass.cols();
+  for (SparseMatrix* a : {&of_.mass, &of_.gyroscopic, &of_.stiffness}) a->makeCompressed();
+  require_lower("M", of_.mass, n, true);
+  require_lower("G", of_.gyroscopic, n, false);
+  require_lower("K", of_.stiffness, n, true);
+  if (of_.labels.empty()) of_.labels = default_labels(n);
+  if (static_cast<Index>(of_.labels.size()) != n) throw LawBroken(fmt::format("{} labels where {} coordinates are", of_.labels.size(), n));
+  if (of_.node.empty()) {
+    of_.node.resize(static_cast<std::size_t>(n));
+    std::iota(of_.node.begin(), of_.node.end(), 0);
+  }
+  singular_mass_ = n > 0 && is_singular_mass(of_.mass, of_.node, of_.labels);
+}
+
+}  // namespace gyromode

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "gyromode/base/labels.h"
+#include "gyromode/sparse/matrix.h"
+
+#include <vector>
+
+namespace gyromode {
+
+/// M, G, K of order n by what is on and below the diagonal, and which coordinates belong to one node.
+struct SparseMatrices {
+  SparseMatrix mass;        ///< lower triangle of M
+  SparseMatrix gyroscopic;  ///< what is below the diagonal of G
+  SparseMatrix stiffness;   ///< lower triangle of K
+  Labels labels;            ///< n; empty: q1 … qn
+  std::vector<int> node;    ///< of every coordinate, from 0; empty: each its own
+};
+
+/// M q̈ + G q̇ + K q = 0 with M = Mᵀ > 0 (or ≥ 0 to rounding), G = −Gᵀ, K = Kᵀ, sparse. One that exists keeps these laws.
+class SparseSystem {
+ public:
+  /// @throws LawBroken for sizes that differ, entries above the diagonal or that are not finite, a diagonal of G, and M
+  /// that is indefinite beyond 10⁻¹² of its diagonal (by its factorisation)
+  explicit SparseSystem(SparseMatrices matrices);
+
+  Index size() const { return of_.mass.cols(); }                     ///< n
+  const SparseMatrix& mass() const { return of_.mass; }              ///< lower triangle
+  const SparseMatrix& gyroscopic() const { return of_.gyroscopic; }  ///< below the diagonal
+  const SparseMatrix& stiffness() const { return of_.stiffness; }    ///< lower triangle
+  const Labels& labels() const { return of_.labels; }                ///< n
+  const std::vector<int>& node() const { return of_.node; }          ///< of every coordinate
+  /// M is positive semidefinite to rounding: some motions have no mass, and no frequency of their own.
+  bool singular_mass() const { return singular_mass_; }
+
+ private:
+  SparseMatrices of_;
+  bool singular_mass_ = false;
+};
+
+}  // namespace gyromode

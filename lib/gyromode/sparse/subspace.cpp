@@ -1,0 +1,107 @@
+#include "gyromode/sparse/subspace.h"
+
+#include "gyromode/lapack/small.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gyromode::sparse {
+
+namespace {
+
+// Orthonormal combinations of the columns of x in the inner product whose Gram matrix is xᵀMx: x C, of those directions
+// that are above `least` of the largest.
+Matrix orthonormal_combinations(const Matrix& gram, double least) {
+  const Eigen::SelfAdjointEigenSolver<Matrix> e(0.5 * (gram + gram.transpose()));
+  const double largest = e.eigenvalues().size() > 0 ? e.eigenvalues().maxCoeff() : 0;
+  std::vector<Index> kept;
+  for (Index k = e.eigenvalues().size(); k-- > 0;) {
+    if (e.eigenvalues()(k) > least * largest && e.eigenvalues()(k) > 0) kept.push_back(k);
+  }
+  Matrix c(gram.rows(), static_cast<Index>(kept.size()));
+  for (Index k = 0; k < c.cols(); ++k)
+    c.col(k) = e.eigenvectors().col(kept[static_cast<std::size_t>(k)]) / std::sqrt(e.eigenvalues()(kept[static_cast<std::size_t>(k)]));
+  return c;
+}
+
+}  // namespace
+
+Subspace::Subspace(const SparseSystem& system, const std::vector<bool>& across, bool partition) : system_(system), partition_(partition) {
+  for (Index i = 0; i < system.size(); ++i) rows_[across[static_cast<std::size_t>(i)] ? 1 : 0].push_back(i);
+}
+
+void Subspace::reserve(Index columns) {
+  if (columns <= v_.cols()) return;
+  const Index more = std::max<Index>(2 * v_.cols(), columns);
+  v_.conservativeResize(system_.size(), more);
+  mv_.conservativeResize(system_.size(), more);
+  k_.conservativeResize(more, more);
+  g_.conservativeResize(more, more);
+}
+
+// Columns that are orthonormal to V and to each other.
+void Subspace::append(const Matrix& fresh, bool across) {
+  if (fresh.cols() == 0) return;
+  const Index first = size_, m = fresh.cols();
+  reserve(first + m);
+  v_.middleCols(first, m) = fresh;
+  mv_.middleCols(first, m) = symmetric_times(system_.mass(), fresh);
+  size_ += m;
+  const Matrix kx = symmetric_times(system_.stiffness(), fresh), gx = skew_times(system_.gyroscopic(), fresh);
+  const Matrix k = v_.leftCols(size_).transpose() * kx, g = v_.leftCols(size_).transpose() * gx;
+  k_.block(0, first, size_, m) = k;
+  g_.block(0, first, size_, m) = g;
+  k_.block(first, 0, m, first) = k.topRows(first).transpose();
+  g_.block(first, 0, m, first) = -g.topRows(first).transpose();
+  k_.block(first, first, m, m) = 0.5 * (k.bottomRows(m) + k.bottomRows(m).transpose());
+  g_.block(first, first, m, m) = 0.5 * (g.bottomRows(m) - g.bottomRows(m).transpose());
+  column_across_.insert(column_across_.end(), static_cast<std::size_t>(m), across);
+}
+
+// Twice against V (once more is enough), then among themselves; directions below 10⁻¹² of the largest are rounding.
+Matrix Subspace::add(const Matrix& x) {
+  constexpr double least = 1e-24;
+  const Index before = size_;
+  for (const bool across : {false, true}) {
+    const std::vector<Index>& rows = rows_[across ? 1 : 0];
+    if (rows.empty()) continue;
+    Matrix part = Matrix::Zero(x.rows(), x.cols());
+    if (partition_)
+      part(rows, Eigen::all) = x(rows, Eigen::all);
+    else
+      part = x;
+    const Vector size = part.colwise().norm();
+    std::vector<Index> there;
+    for (Index j = 0; j < part.cols(); ++j) {
+      if (size(j) > 0) there.push_back(j);
+    }
+    if (there.empty()) continue;
+    part = Matrix(part(Eigen::all, there));
+    const Matrix scale = part.colwise().norm();
+    for (Index j = 0; j < part.cols(); ++j) part.col(j) /= scale(0, j);
+    for (int pass = 0; pass < 2; ++pass) {
+      if (size_ > 0) part -= v_.leftCols(size_) * (mv_.leftCols(size_).transpose() * part);
+      const Matrix c = orthonormal_combinations(part.transpose() * symmetric_times(system_.mass(), part), least);
+      part = part * c;
+    }
+    append(part, across);
+    if (!partition_) break;
+  }
+  (void)before;
+  return mv_.leftCols(size_).transpose() * x;
+}
+
+void Subspace::restart(const Matrix& c, const std::vector<bool>& across) {
+  const Matrix v = v_.leftCols(size_) * c, mv = mv_.leftCols(size_) * c;
+  const Matrix k = c.transpose() * stiffness() * c, g = c.transpose() * gyroscopic() * c;
+  size_ = c.cols();
+  v_.leftCols(size_) = v;
+  mv_.leftCols(size_) = mv;
+  k_.topLeftCorner(size_, size_) = 0.5 * (k + k.transpose());
+  g_.topLeftCorner(size_, size_) = 0.5 * (g - g.transpose());
+  column_across_ = across;
+}
+
+}  // namespace gyromode::sparse
