@@ -29,8 +29,9 @@ double far_enough(const CountedSpectrum& s, Index lowest, const Window& requeste
 FilledWindow lowest_window(const CountedSpectrum& s, Index lowest, const Window& requested, const Progress& progress) {
   if (lowest > s.most_roots())
     throw TooLarge(fmt::format("{} modes were asked for: at most {} are listed at a time; ask for windows", lowest, s.most_roots()));
-  const double b = s.finite() ? requested.b : std::min(far_enough(s, lowest, requested), requested.b);
-  RootRange found = s.roots({requested.a, b}, progress);
+  std::optional<RootRange> in_order = s.lowest_roots(lowest, requested, progress);
+  const double b = s.finite() || in_order ? requested.b : std::min(far_enough(s, lowest, requested), requested.b);
+  RootRange found = in_order ? std::move(*in_order) : s.roots({requested.a, b}, progress);
   const std::vector<CountedRoot>& all = found.roots;
   Index seen = 0;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {

@@ -20,8 +20,7 @@ Window given(const CountedSpectrum& s, const Window& used, const Window& asked) 
 }
 
 void require_end(const CountedSpectrum& s, const Window& w, const char* what) {
-  if (w.open() && !s.finite())
-    throw InvalidArgument(std::string("a spacecraft with exact booms has infinitely many modes: ") + what + " needed");
+  if (w.open() && !s.finite()) throw InvalidArgument(s.why_an_end() + what + " needed");
 }
 
 // Where work was stopped: all roots below that.

@@ -5,6 +5,7 @@
 #include "gyromode/spectrum/method.h"
 #include "gyromode/spectrum/result.h"
 #include "gyromode/spacecraft/spacecraft.h"
+#include "gyromode/sparse/sparse_system.h"
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/system.h"
 
@@ -38,11 +39,17 @@ ModesResult find_modes(const FirstOrderSystem& system, const ModesOptions& optio
 /// @throws NotApplicable for a method of matrix models; TooLarge for more than 20 000 modes of booms
 ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options = {});
 
+/// Modes of a sparse system in a window, or the lowest so many, by ranges; counted by factorisations.
+/// @throws InvalidArgument for an open window without `lowest`; NotApplicable for a method, coordinates to keep, or K singular
+/// to rounding; TooLarge
+ModesResult find_modes(const SparseSystem& system, const ModesOptions& options = {});
+
 /// How many modes a window holds (theory (T9), (T10)): of matrices all are found and counted, of a spacecraft by the
 /// counts at the ends alone.
 /// @throws InvalidArgument for a window that is none, or one of a spacecraft with an open end
 CountResult count_modes(const System& system, const Window& window);
 CountResult count_modes(const FirstOrderSystem& system, const Window& window);
 CountResult count_modes(const Spacecraft& spacecraft, const Window& window);
+CountResult count_modes(const SparseSystem& system, const Window& window);
 
 }  // namespace gyromode

@@ -1,6 +1,5 @@
 #include "gyromode/sparse/ritz.h"
 
-#include "gyromode/base/rounding.h"
 #include "gyromode/dense/solve.h"
 
 #include <algorithm>
@@ -45,17 +44,32 @@ RitzPairs ritz_pairs(const Subspace& v) {
 
 Norms norms_of(const SparseSystem& s) { return {norm1(s.stiffness()), norm1(s.gyroscopic()), norm1(s.mass())}; }
 
-// To first order an error of X does not move the Rayleigh quotient: what is left of ω is ‖r‖²_{M⁻¹} over the distance
-// to other roots; the residual itself bounds it without that.
+namespace {
+
+// To the nearest root of the projected system that differs by more than `near`, and to its mirror image.
+double gap_to_others(const Vector& omega, Index k, double near) {
+  double gap = 2 * omega(k);
+  for (Index i = 0; i < omega.size(); ++i) {
+    const double d = std::abs(omega(i) - omega(k));
+    if (i != k && d > near) gap = std::min(gap, d);
+  }
+  return gap;
+}
+
+}  // namespace
+
+// In the norm of M an eigenvalue of H(ω) is within ρ' = ‖r‖_{M⁻¹} / ‖X‖_M of zero: ω within ρ = ρ'‖X‖²_M / |form| of a
+// root to first order, and as the Rayleigh quotient is stationary within ρ²/gap to second. M⁻¹ by the diagonal of M.
 std::vector<RitzMode> measured(const SparseSystem& s, const Norms& norms, const Subspace& v, const RitzPairs& pairs,
                                const std::vector<Index>& chosen) {
-  const Index m = static_cast<Index>(chosen.size()), n = s.size();
+  const Index m = static_cast<Index>(chosen.size());
   Matrix both(v.size(), 2 * m);
   for (Index k = 0; k < m; ++k) {
     both.col(k) = pairs.coefficients.col(chosen[static_cast<std::size_t>(k)]).real();
     both.col(m + k) = pairs.coefficients.col(chosen[static_cast<std::size_t>(k)]).imag();
   }
   const Matrix x = v.combined(both), mx = v.mass_times(both), kx = symmetric_times(s.stiffness(), x), gx = skew_times(s.gyroscopic(), x);
+  const Vector inverse_mass = s.mass().diagonal().cwiseInverse();
   std::vector<RitzMode> all;
   for (Index k = 0; k < m; ++k) {
     RitzMode mode;
@@ -68,8 +82,8 @@ std::vector<RitzMode> measured(const SparseSystem& s, const Norms& norms, const 
     mode.energy_sign = mode.form < 0 ? -1 : 1;
     const double size = mode.shape.norm();
     mode.residual = r.norm() / ((norms.k + w * norms.g + w * w * norms.m) * size);
-    const double rounding = backward_error(n) * (norms.k + w * norms.g + w * w * norms.m) * 0;  // of the products, already in r
-    mode.error_bound = (std::abs(mode.shape.dot(r)) + rounding) / std::abs(mode.form);
+    const double rho = std::sqrt(r.cwiseAbs2().cwiseProduct(inverse_mass).sum() * std::real(mode.shape.dot(mass))) / std::abs(mode.form);
+    mode.error_bound = std::min(rho, rho * rho / gap_to_others(pairs.omega, chosen[static_cast<std::size_t>(k)], 4 * rho));
     all.push_back(std::move(mode));
   }
   return all;

@@ -13,7 +13,7 @@ struct RitzMode {
   int energy_sign = 1;     ///< of Xᴴ(2ωM − jG)X
   double form = 0;         ///< Xᴴ(2ωM − jG)X
   double residual = 0;     ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂), 1-norms
-  double error_bound = 0;  ///< on |δω|, to first order: |XᴴHX| and ‖r‖‖X‖ over the form, the lesser that its residual allows
+  double error_bound = 0;  ///< on |δω|, to second order in the residual; without what rounding of the matrices does
   ComplexVector shape;     ///< X
 };
 

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,14 @@ class CountedSpectrum {
   /// The roots of [a, b), and perhaps some outside, zero roots too where a = 0. b may be infinite where there are
   /// finitely many.
   virtual RootRange roots(const Window& range, const Progress& progress = {}) const = 0;
+  /// The lowest `count` roots from range.a on that are no rigid-body ones, and some beyond, of an engine that finds
+  /// them in that order; nothing of others.
+  virtual std::optional<RootRange> lowest_roots(Index count [[maybe_unused]], const Window& range [[maybe_unused]],
+                                                const Progress& progress [[maybe_unused]]) const {
+    return std::nullopt;
+  }
+  /// For people, where a window without an end is asked for though there are infinitely many, or all are not to be had.
+  virtual std::string why_an_end() const { return "a spacecraft with exact booms has infinitely many modes: "; }
   /// Whether there are finitely many; and then a frequency above all of them, where −ω²M has taken over.
   virtual bool finite() const { return true; }
   virtual double above_all() const = 0;
