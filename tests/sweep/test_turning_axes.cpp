@@ -56,11 +56,70 @@ TEST(TurningAxes, CriticalSpeedsOfAShaftOfUnequalStiffness) {
   }
 }
 
-// Without orbits nothing can be left out.
+// Without orbits nothing can be left out, and the list is not called complete.
 TEST(TurningAxes, WithoutOrbitsEveryRootIsListed) {
   const CriticalSpeeds found = of_order(unequal_shaft(1, 4, 4, false), 2);
   EXPECT_EQ(found.other_way, 0);
   EXPECT_TRUE(found.in_fixed_axes);
+  EXPECT_EQ(found.coverage.status, CoverageStatus::not_counted);
+}
+
+// What is along the axis has one frequency in all axes: order m is mΩ there. Of coinciding roots as many are listed as
+// have the part, whatever combinations a solver makes of them: fixed frequencies 10 and 30, order 3.
+TEST(TurningAxes, AxialMotionAndCoincidingRoots) {
+  const CriticalSpeeds axial = of_order(read_model(models / "three_springs.toml"), 1);
+  EXPECT_TRUE(std::any_of(axial.speeds.begin(), axial.speeds.end(),
+                          [](const CriticalSpeed& c) { return std::abs(c.speed - 500) < 1e-9 && !c.whirl; }));
+  const double c = std::cos(0.7), s = std::sin(0.7);  // a rotation that mixes the two masses
+  Matrix turn = Matrix::Zero(4, 4), k = turn, g = turn;
+  turn << c, 0, s, 0, 0, c, 0, s, -s, 0, c, 0, 0, -s, 0, c;
+  k.diagonal() << 100, 100, 900, 900;
+  g(0, 1) = g(2, 3) = -2;
+  g(1, 0) = g(3, 2) = 2;
+  const auto text = [](const char* key, const Matrix& a) {
+    std::string rows;
+    for (Index i = 0; i < 4; ++i) rows += fmt::format("{}[{}, {}, {}, {}]", i > 0 ? ", " : "", a(i, 0), a(i, 1), a(i, 2), a(i, 3));
+    return fmt::format("{} = [{}]\n", key, rows);
+  };
+  const Matrix mixed = turn.transpose() * k * turn, coriolis = turn.transpose() * g * turn;
+  const Model model = parse_model(
+      "kind = \"matrices\"\nframe = \"turning\"\nlabels = [\"x1\", \"y1\", \"x2\", \"y2\"]\nspin = 1\n"
+      "orbits = [[\"x1\", \"y1\"], [\"x2\", \"y2\"]]\nmass = [1, 1, 1, 1]\nstiffness_per_spin2 = [-1, -1, -1, -1]\n" +
+          text("stiffness", 0.5 * (mixed + mixed.transpose())) + text("gyroscopic_per_spin", 0.5 * (coriolis - coriolis.transpose())),
+      "coinciding.toml");
+  const CriticalSpeeds found = of_order(model, 3);
+  ASSERT_EQ(found.speeds.size(), 4u);
+  for (const std::size_t first : {std::size_t{0}, std::size_t{2}}) {
+    EXPECT_NEAR(found.speeds[first].speed, first == 0 ? 10.0 / 3 : 10, 1e-9);
+    EXPECT_NEAR(found.speeds[first + 1].speed, first == 0 ? 10.0 / 3 : 10, 1e-9);
+    EXPECT_NE(found.speeds[first].whirl, found.speeds[first + 1].whirl);
+  }
+}
+
+// The sense of the axes does not change what is forward.
+TEST(TurningAxes, NegativeSpin) {
+  for (const double spin : {2.0, -2.0}) {
+    const Model model = unequal_shaft(1, 9, 16).with({{"spin", spin}});
+    ModesOptions o;
+    o.shapes = true;
+    const ModesResult r = model.modes(o);
+    const ModeDetails d = details_of(model, r);
+    EXPECT_EQ(d.whirl[0], Whirl::forward) << spin;
+    EXPECT_EQ(d.whirl[1], Whirl::backward) << spin;
+  }
+}
+
+// A double speed is not cut in two.
+TEST(TurningAxes, LowestOfADoubleSpeed) {
+  const Model model = parse_model(
+      "kind = \"matrices\"\nframe = \"fixed\"\nspin = 1\nmass = [1, 1]\nstiffness = [900, 900]\n"
+      "gyroscopic_per_spin = [[0, 0], [0, 0]]\n",
+      "double.toml");
+  CriticalOptions o;
+  o.lowest = 1;
+  const CriticalSpeeds found = model.critical_speeds(o);
+  EXPECT_EQ(found.speeds.size(), 2u);
+  EXPECT_EQ(found.coverage.counted, 2);
 }
 
 // Axes change nothing: whatever the order, mΩ is a frequency of the chain in fixed axes, forward and backward.
@@ -76,7 +135,7 @@ TEST(TurningAxes, ChainHasTheCriticalSpeedsOfFixedAxes) {
       EXPECT_LE(nearest, 1e-12) << order;
       ++(c.whirl == Whirl::forward ? forward : backward);
     }
-    EXPECT_EQ(forward, order == 1 ? 6u : 3u) << "at rest in the turning axes either direction is a root";
+    EXPECT_EQ(forward, 3u) << order;
     EXPECT_EQ(backward, 3u);
     EXPECT_EQ(found.coverage.status, CoverageStatus::complete) << order;
   }

@@ -66,6 +66,7 @@ UnbalanceReport Model::unbalance_response(const UnbalanceRequest& request) const
   r.speed_ratio = f.speed_ratio;
   const double order = frame == Frame::turning ? f.speed_ratio - 1 : f.speed_ratio;
   if (order < 0) f.per_speed2 = f.per_speed2.conjugate().eval();
+  if (order == 0) f.per_speed2 = f.per_speed2.real().cast<Complex>().eval();  // at rest, and real, in axes that turn with it
   r.response = synchronous_response(body->spin_source(), {std::move(f.per_speed2), std::abs(order)}, request.speeds, request.progress);
   return r;
 }

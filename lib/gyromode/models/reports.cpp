@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace gyromode {
 
 std::vector<std::string> ResponseReport::doubts() const {
@@ -18,6 +20,12 @@ std::vector<std::string> ResponseReport::doubts() const {
                               last, phase_error));
   }
   return all;
+}
+
+Orbit UnbalanceReport::orbit(const SynchronousPoint& point, std::size_t place) const {
+  if (response.order > 0) return orbit_of(point.q, places[place]);
+  const double x = point.q(places[place].x).real(), y = point.q(places[place].y).real(), radius = std::hypot(x, y);
+  return {radius, radius, 0};
 }
 
 std::vector<std::string> UnbalanceReport::remarks() const {

@@ -121,6 +121,9 @@ struct UnbalanceReport {
   double speed_ratio = 1;                ///< of what turns, to the speed
   SynchronousResponse response;          ///< point by point
 
+  /// The orbit of a place at a point that is no resonance, in the axes of the model; of a force at rest in turning axes
+  /// (order 0), where q is a constant displacement, the circle that it is in fixed ones.
+  Orbit orbit(const SynchronousPoint& point, std::size_t place) const;
   /// What is to be said of points of the grid that are on a critical speed, for people.
   std::vector<std::string> remarks() const;
 };

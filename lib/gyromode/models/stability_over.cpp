@@ -27,7 +27,7 @@ StabilityPoint verdict_at(const ModelKind& model, const std::vector<ParameterAxi
   }
 }
 
-// The middles of intervals of flutter that branches over the spin show, of a family of matrices; none where the
+// The ends of the intervals of flutter that branches over the spin show, of a family of matrices; none where the
 // parameter is another, or nothing can be followed.
 std::vector<double> flutter_over_spin(const ModelKind& model, const ParameterAxis& axis, const Progress& progress) {
   constexpr Index largest = 200;  // coordinates: every spin is solved whole
@@ -42,7 +42,7 @@ std::vector<double> flutter_over_spin(const ModelKind& model, const ParameterAxi
     o.progress.stop = progress.stop;
     std::vector<double> all;
     for (const Encounter& e : campbell(source, o).encounters) {
-      if (e.flutter) all.push_back(0.5 * ((*e.flutter)[0] + (*e.flutter)[1]));
+      if (e.flutter) all.insert(all.end(), e.flutter->begin(), e.flutter->end());
     }
     return all;
   } catch (const Error&) {  // no such family, or no mode at a spin

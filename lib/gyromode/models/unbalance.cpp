@@ -32,14 +32,17 @@ const Station& station_numbered(const Rotor& r, std::string_view spool, std::int
     if (r.spools()[s.spool].name == spool && ++count == which) return s;
   }
   if (count == 0)
-    throw InvalidArgument(fmt::format("unbalance '{}': stations of a rotor of several spools are named with them: {}.station1", place,
-                                      r.spools().front().name));
+    throw InvalidArgument(r.spools().size() == 1
+                              ? fmt::format("unbalance '{}': the rotor has one shaft, whose stations are station1, station2, …", place)
+                              : fmt::format("unbalance '{}': stations of a rotor of several spools are named with them: {}.station1", place,
+                                            r.spools().front().name));
   throw InvalidArgument(fmt::format("unbalance '{}': there are stations 1 to {}", place, count));
 }
 
 template <class Part>
 const Part& numbered(const std::vector<Part>& parts, std::int64_t which, const std::string& place) {
-  if (which >= 1 && which <= static_cast<std::int64_t>(parts.size())) return parts[static_cast<std::size_t>(which - 1)];
+  if (which < 1) throw InvalidArgument(fmt::format("unbalance '{}': a number from 1 was expected at the end, as in disk1", place));
+  if (which <= static_cast<std::int64_t>(parts.size())) return parts[static_cast<std::size_t>(which - 1)];
   throw InvalidArgument(parts.empty() ? fmt::format("unbalance '{}': the rotor has none of these", place)
                                       : fmt::format("unbalance '{}': there are 1 to {} of these", place, parts.size()));
 }
@@ -78,14 +81,17 @@ ModelKind::TurningForce unbalance_on(const Rotor& r, const std::vector<Unbalance
                       "frequencies, so ask for one at a time",
                       masses.front().place, f.speed_ratio, masses[k].place, ratio));
     f.speed_ratio = ratio;
+    if (ratio == 0) throw InvalidArgument(fmt::format("unbalance '{}': its shaft does not turn (speed_ratio 0)", masses[k].place));
     const auto& c = p.station->coordinate;
-    const auto [x, y] = components(masses[k]);
+    auto [x, y] = components(masses[k]);
+    x *= ratio * ratio;  // U(rΩ)²
+    y *= ratio * ratio;
     add(c[0], x);
     add(c[1], y);
     add(c[3], p.beyond * x);  // the centre of a disc: x + beyond θy, y − beyond θx
     add(c[2], -p.beyond * y);
   }
-  if (!(f.per_speed2.squaredNorm() > 0)) throw InvalidArgument("the unbalance is zero, or where the rotor is held: nothing moves");
+  if (!(f.per_speed2.cwiseAbs().maxCoeff() > 0)) throw InvalidArgument("the unbalance is zero, or where the rotor is held: nothing moves");
   return f;
 }
 
@@ -104,7 +110,7 @@ ModelKind::TurningForce unbalance_at(const std::vector<OrbitCoordinates>& places
     f.per_speed2(p.x) += x;
     f.per_speed2(p.y) += y;
   }
-  if (!(f.per_speed2.squaredNorm() > 0)) throw InvalidArgument("the unbalance is zero: nothing moves");
+  if (!(f.per_speed2.cwiseAbs().maxCoeff() > 0)) throw InvalidArgument("the unbalance is zero: nothing moves");
   return f;
 }
 

@@ -113,7 +113,7 @@ bool may_flutter(const StabilityMap::Cell* cells, std::size_t count) {
 
 // One row of the grid, at `rest` of the second parameter (empty without one): its cells, then its borders.
 void add_row(const Verdict& verdict, const std::vector<double>& rest, const Progress& progress, const Thresholds& thresholds,
-             const Thresholds& inside, StabilityMap& map) {
+             const Thresholds& suspected, StabilityMap& map) {
   const std::vector<double>& along = map.axes.front();
   const Index all = static_cast<Index>(along.size() * (map.axes.size() > 1 ? map.axes[1].size() : 1));
   const auto point = [&](double x) {
@@ -134,12 +134,13 @@ void add_row(const Verdict& verdict, const std::vector<double>& rest, const Prog
   std::vector<double> known = thresholds ? thresholds(rest) : std::vector<double>{};
   std::sort(known.begin(), known.end());
   std::vector<Seen> seen;
-  std::vector<double> more = between_thresholds(along, known);
-  if (inside && (!known.empty() || may_flutter(map.cells.data() + first, along.size()))) {
-    const std::vector<double> suspected = inside(rest);
-    more.insert(more.end(), suspected.begin(), suspected.end());
+  std::vector<double> parted = known;
+  if (suspected && (!known.empty() || may_flutter(map.cells.data() + first, along.size()))) {
+    const std::vector<double> ends = suspected(rest);
+    parted.insert(parted.end(), ends.begin(), ends.end());
+    std::sort(parted.begin(), parted.end());
   }
-  for (const double x : more) {
+  for (const double x : between_thresholds(along, parted)) {
     seen.push_back({x, at(x)});
     ++map.evaluations;
   }
@@ -184,7 +185,7 @@ void fill(StabilityMap& map) {
 }  // namespace
 
 StabilityMap map_stability(const Verdict& verdict, std::vector<std::vector<double>> axes, const Progress& progress,
-                           const Thresholds& thresholds, const Thresholds& inside) {
+                           const Thresholds& thresholds, const Thresholds& suspected) {
   if (axes.empty() || axes.size() > 2) throw InvalidArgument(fmt::format("a map has one parameter or two: {} were given", axes.size()));
   for (const std::vector<double>& values : axes) {
     if (values.empty() || !std::is_sorted(values.begin(), values.end()))
@@ -194,9 +195,9 @@ StabilityMap map_stability(const Verdict& verdict, std::vector<std::vector<doubl
   map.axes = std::move(axes);
   try {
     if (map.axes.size() == 1)
-      add_row(verdict, {}, progress, thresholds, inside, map);
+      add_row(verdict, {}, progress, thresholds, suspected, map);
     else
-      for (const double y : map.axes[1]) add_row(verdict, {y}, progress, thresholds, inside, map);
+      for (const double y : map.axes[1]) add_row(verdict, {y}, progress, thresholds, suspected, map);
   } catch (const Interrupted&) {
     map.interrupted = true;
     fill(map);

@@ -44,9 +44,9 @@ struct StabilityMap {
 /// may change and which are known beforehand: where K is singular. The verdict is asked for between neighbouring ones,
 /// too, so that what holds between two of them is in the map, however narrow.
 using Thresholds = std::function<std::vector<double>(const std::vector<double>& others)>;
-/// `inside`: values of the first parameter at which the verdict is asked for besides, as flutter is suspected there;
-/// called for rows with motions of negative energy, flutter, or thresholds.
+/// `suspected`: values of the first parameter near which flutter may begin or end: the verdict is asked for between
+/// neighbouring ones too; called for rows with motions of negative energy, flutter, or thresholds.
 StabilityMap map_stability(const std::function<StabilityPoint(const std::vector<double>&)>& verdict, std::vector<std::vector<double>> axes,
-                           const Progress& progress = {}, const Thresholds& thresholds = {}, const Thresholds& inside = {});
+                           const Progress& progress = {}, const Thresholds& thresholds = {}, const Thresholds& suspected = {});
 
 }  // namespace gyromode

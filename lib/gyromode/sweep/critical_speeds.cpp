@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gyromode {
 
@@ -37,18 +36,21 @@ double square(double x) { return x * x; }
 void add_part(const SpeedPencil& pencil, const CriticalOptions& o, Index n, CriticalSpeeds& all, Tally& tally) {
   constexpr double real_to = 1e-6;  // |Im ν| / |ν| of a real root before it is polished
   const std::vector<SpeedPencil::Root> roots = pencil.roots();
+  const auto is_real = [](const SpeedPencil::Root& r) { return std::abs(r.nu.imag()) <= real_to * std::abs(r.nu); };
+  double reach = infinity;  // of this part
+  for (const SpeedPencil::Root& rough : roots) {
+    if (is_real(rough) && pencil.is_at_infinity(rough)) reach = std::min(reach, pencil.least_speed(rough));
+  }
+  tally.reach = std::min(tally.reach, reach);
   double largest = 0;
   Index found = 0;
   for (const SpeedPencil::Root& rough : roots) {
-    const bool real = std::abs(rough.nu.imag()) <= real_to * std::abs(rough.nu);
-    if (real && pencil.is_at_infinity(rough)) {
-      tally.reach = std::min(tally.reach, pencil.least_speed(rough));
-      continue;
-    }
-    if (!real || !(rough.nu.real() > 0)) {
+    if (is_real(rough) && pencil.is_at_infinity(rough)) continue;
+    if (!is_real(rough) || !(rough.nu.real() > 0)) {
       ++all.not_physical;
       continue;
     }
+    if (!(std::sqrt(rough.nu.real()) < reach)) continue;
     largest = std::max(largest, rough.nu.real());
     if (std::sqrt(rough.nu.real()) > 1.01 * o.window.b || std::sqrt(rough.nu.real()) < 0.99 * o.window.a) continue;
     const SpeedPencil::Root root = pencil.polished(rough);
@@ -72,13 +74,28 @@ void add_part(const SpeedPencil& pencil, const CriticalOptions& o, Index n, Crit
     if (i.doubtful()) tally.doubt(fmt::format("K₀ − Ω²B is singular to rounding at Ω = {:.6g}", speed));
     return i.negative;
   };
-  const double end = std::isinf(o.window.b) ? 1.125 * std::sqrt(largest) + (largest == 0 ? 1 : 0) : o.window.b;
+  double end = std::isinf(o.window.b) ? 1.125 * std::sqrt(largest) + (largest == 0 ? 1 : 0) : o.window.b;
+  if (end >= reach) end = largest > 0 ? std::sqrt(std::sqrt(largest) * reach) : 0.5 * reach;
   const Index counted = below(end) - below(o.window.a);
   tally.counted += counted;
   if (counted != found) tally.doubt("the count by factorisations is another, as signs of a pencil with K₀ indefinite may cancel");
 }
 
 }  // namespace
+
+bool coincide(const CriticalSpeed& a, const CriticalSpeed& b) {
+  return std::abs(b.speed - a.speed) <= 4 * (a.error_bound + b.error_bound + epsilon * b.speed);
+}
+
+void keep_lowest(CriticalSpeeds& all, Index count) {
+  auto kept = static_cast<std::size_t>(std::max<Index>(count, 0));
+  if (kept >= all.speeds.size()) return;
+  while (kept > 0 && kept < all.speeds.size() && coincide(all.speeds[kept - 1], all.speeds[kept])) ++kept;
+  all.speeds.resize(kept);
+  all.coverage.window.b = std::nextafter(all.speeds.back().speed, infinity);
+  all.coverage.found = static_cast<Index>(kept);
+  if (all.coverage.status == CoverageStatus::complete) all.coverage.counted = all.coverage.found;
+}
 
 CriticalSpeeds critical_speeds(const SpinFamily& family, const CriticalOptions& options, const std::vector<OrbitCoordinates>& stations) {
   require_window(options.window);
@@ -97,7 +114,12 @@ CriticalSpeeds critical_speeds(const SpinFamily& family, const CriticalOptions& 
     add_part(pencil, o, family.mass.rows(), all, tally);
   }
   std::stable_sort(all.speeds.begin(), all.speeds.end(), [](const CriticalSpeed& a, const CriticalSpeed& b) { return a.speed < b.speed; });
-  for (CriticalSpeed& c : all.speeds) c.whirl = whirl_of(c.shape, stations);
+  for (std::size_t k = 0; k < all.speeds.size(); ++k) {
+    CriticalSpeed& c = all.speeds[k];
+    c.whirl = whirl_of(c.shape, stations);
+    const bool is_double = (k > 0 && coincide(all.speeds[k - 1], c)) || (k + 1 < all.speeds.size() && coincide(c, all.speeds[k + 1]));
+    if (is_double && (c.whirl == Whirl::planar || c.whirl == Whirl::mixed)) c.whirl = Whirl::degenerate;
+  }
   Coverage& coverage = all.coverage;
   coverage.window = coverage.requested = o.window;
   coverage.found = static_cast<Index>(all.speeds.size());
@@ -107,12 +129,7 @@ CriticalSpeeds critical_speeds(const SpinFamily& family, const CriticalOptions& 
   coverage.status = !tally.sure                       ? CoverageStatus::not_counted
                     : tally.counted == coverage.found ? CoverageStatus::complete
                                                       : CoverageStatus::incomplete;
-  if (o.lowest && static_cast<Index>(all.speeds.size()) > *o.lowest) {
-    all.speeds.resize(static_cast<std::size_t>(*o.lowest));
-    coverage.window.b = std::nextafter(all.speeds.back().speed, std::numeric_limits<double>::infinity());
-    coverage.found = *o.lowest;
-    if (coverage.status == CoverageStatus::complete) coverage.counted = *o.lowest;
-  }
+  if (o.lowest) keep_lowest(all, *o.lowest);
   return all;
 }
 

@@ -37,6 +37,11 @@ struct CriticalSpeeds {
   Coverage coverage;                  ///< complete: counted by factorisations of K₀ − Ω²B
 };
 
+/// Whether two speeds, one after the other, are one within their errors.
+bool coincide(const CriticalSpeed& a, const CriticalSpeed& b);
+/// Only the lowest so many, and those that coincide with the last of them.
+void keep_lowest(CriticalSpeeds& all, Index count);
+
 /// Speeds at which H(mΩ) is singular: K₀X = Ω²(m²M − jmG₁ − K₂)X (theory (T13)), of a family with G = ΩG₁, K = K₀ +
 /// Ω²K₂, by the eigenvalues of that Hermitian pencil: real symmetric where M, G, K have a quadrature partition. K₀ > 0:
 /// definite, and counted; K₀ ≥ 0: without its null space, on which Ω = 0; K₀ indefinite: its real roots, counted where

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace gyromode {
 
@@ -249,6 +250,27 @@ void walk(Search& search, const std::vector<double>& spins, Index i, Index k, bo
 
 }  // namespace
 
+namespace {
+
+// Two branches that are at one spin together, and the places of the first and the last of these among the spins.
+using Together = std::map<std::pair<Index, Index>, std::pair<std::size_t, std::size_t>>;
+
+Together together(const SpinTrack& track) {
+  Together all;
+  std::size_t place = 0;
+  for (const auto& [spin, point] : track.points()) {
+    for (const Index i : point.branch) {
+      for (const Index k : point.branch) {
+        if (i != k) all.try_emplace({i, k}, place, place).first->second.second = place;
+      }
+    }
+    ++place;
+  }
+  return all;
+}
+
+}  // namespace
+
 // Those of one block first: where branches veer is a point of the track then, and between the points they are smooth.
 std::vector<Encounter> encounters(SpinTrack& track) {
   std::vector<Encounter> all;
@@ -256,10 +278,11 @@ std::vector<Encounter> encounters(SpinTrack& track) {
   for (const bool one_block : {true, false}) {
     std::vector<double> spins;
     for (const auto& [spin, point] : track.points()) spins.push_back(spin);
-    for (Index i = 0; i < track.branches(); ++i) {
-      for (Index k = 0; k < track.branches(); ++k) {
-        if (i != k) walk(search, spins, i, k, one_block);
-      }
+    for (const auto& [pair, where] : together(track)) {
+      // One spin more on either side: there the pair may be off the axis.
+      const std::size_t from = where.first > 0 ? where.first - 1 : 0, past = std::min(where.second + 2, spins.size());
+      walk(search, {spins.begin() + static_cast<std::ptrdiff_t>(from), spins.begin() + static_cast<std::ptrdiff_t>(past)}, pair.first,
+           pair.second, one_block);
     }
   }
   std::stable_sort(all.begin(), all.end(), [](const Encounter& a, const Encounter& b) { return a.spin < b.spin; });

@@ -147,7 +147,7 @@ SampledMode ReducedFamily::sampled(const Root& root, double spin, double apart) 
   m.slope = w * per_spin / form;
   m.block = b.number;
   m.shape = normalised(axes_.given((b.basis * y).cast<Complex>()));
-  m.whirl = whirl_of(m.shape, places_);
+  m.whirl = whirl_of(m.shape, places_, spin);
   m.fixed_axes = in_fixed_axes(m.shape, w, spin, places_);
   return m;
 }

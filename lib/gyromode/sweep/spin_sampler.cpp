@@ -168,7 +168,7 @@ SampledMode SpinSampler::sampled(double spin, double omega, const Mode& mode, co
   s.energy_sign = mode.energy_sign;
   s.multiplicity = mode.multiplicity;
   s.shape = normalised(shape);
-  s.whirl = whirl_of(s.shape, source_.places);
+  s.whirl = whirl_of(s.shape, source_.places, spin);
   s.fixed_axes = in_fixed_axes(s.shape, omega, spin, source_.places);
   if (source_.family) {
     const Place at{*source_.family, spin, omega};

@@ -167,18 +167,20 @@ void SpinTrack::extend(const Point& from, SpinSample sample, int halvings) {
   const Joined joined = join(from.sample, sample);
   const double middle = 0.5 * (from.sample.spin + sample.spin);
   const bool understood = is_understood(from.sample, sample) || halvings <= most_halvings - most_for_slopes;
-  if ((joined.sure && understood) || halvings == 0 || middle == from.sample.spin || middle == sample.spin) {
+  if ((joined.sure && understood) || halvings == 0 || !may_halve() || middle == from.sample.spin || middle == sample.spin) {
     Point p{std::move(sample), {}, {}};
     p.branch = continued(from, p.sample);
     resume(from, p);
     keep(std::move(p));
     return;
   }
+  --halvings_left_;
   extend(from, sampler_.at(middle), halvings - 1);
   extend(points_.at(middle), std::move(sample), halvings - 1);
 }
 
-SpinTrack::SpinTrack(const SpinSampler& sampler, const std::vector<double>& spins, const Progress& progress) : sampler_(sampler) {
+SpinTrack::SpinTrack(const SpinSampler& sampler, const std::vector<double>& spins, const Progress& progress)
+    : sampler_(sampler), progress_(progress), halvings_left_(1000 + 100 * static_cast<Index>(spins.size())) {
   std::vector<std::optional<SpinSample>> samples(spins.size());
   const bool whole = for_each_in_parallel(
       static_cast<Index>(spins.size()),
@@ -274,11 +276,12 @@ bool SpinTrack::may_meet_between_ends(const Point& a, const Point& b) {
 
 void SpinTrack::refine(double below, double above, int halvings) {
   const double middle = 0.5 * (below + above);
-  if (halvings == 0 || middle == below || middle == above) return;
+  if (halvings == 0 || !may_halve() || middle == below || middle == above) return;
   const Point &a = points_.at(below), &b = points_.at(above);
   const bool meet = may_meet_before_the_end(a, b) || may_meet_before_the_end(b, a) ||
                     (halvings > most_refinements - most_between_ends && may_meet_between_ends(a, b));
   if (is_understood(a.sample, b.sample) && !meet) return;
+  --halvings_left_;
   at(middle);
   refine(below, middle, halvings - 1);
   refine(middle, above, halvings - 1);

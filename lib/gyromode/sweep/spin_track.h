@@ -53,7 +53,12 @@ class SpinTrack {
   static bool may_meet_before_the_end(const Point& here, const Point& there);
   static bool may_meet_between_ends(const Point& a, const Point& b);
 
+  // No step is halved where the work is spent, or was stopped: spins far beyond all frequencies of a model, say.
+  bool may_halve() const { return halvings_left_ > 0 && !progress_.stopped(); }
+
   const SpinSampler& sampler_;
+  Progress progress_;
+  Index halvings_left_ = 0;
   std::map<double, Point> points_;
   Index branches_ = 0;
   std::map<Key, std::vector<Index>> fluttering_;  // branches that have left the axis

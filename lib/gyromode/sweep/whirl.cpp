@@ -25,9 +25,9 @@ Orbit orbit_of(const ComplexVector& shape, const OrbitCoordinates& place) {
   return {std::abs(p) + std::abs(q), std::abs(p) - std::abs(q), inclination};
 }
 
-Whirl Orbit::whirl() const {
+Whirl Orbit::whirl(double spin) const {
   constexpr double small = 1e-6;
-  return std::abs(minor) <= small * major ? Whirl::planar : minor > 0 ? Whirl::forward : Whirl::backward;
+  return std::abs(minor) <= small * major ? Whirl::planar : (minor > 0) == (spin >= 0) ? Whirl::forward : Whirl::backward;
 }
 
 std::vector<FixedAxesPart> in_fixed_axes(const ComplexVector& shape, double omega, double spin,
@@ -47,7 +47,7 @@ std::vector<FixedAxesPart> in_fixed_axes(const ComplexVector& shape, double omeg
   return all;
 }
 
-std::optional<Whirl> whirl_of(const ComplexVector& shape, const std::vector<OrbitCoordinates>& places) {
+std::optional<Whirl> whirl_of(const ComplexVector& shape, const std::vector<OrbitCoordinates>& places, double spin) {
   if (places.empty()) return std::nullopt;
   constexpr double small = 1e-6;
   double largest = 0;
@@ -56,7 +56,7 @@ std::optional<Whirl> whirl_of(const ComplexVector& shape, const std::vector<Orbi
   bool forward = false, backward = false;
   for (const OrbitCoordinates& p : places) {
     if (!(std::norm(shape(p.x)) + std::norm(shape(p.y)) > small * small * largest)) continue;
-    const Whirl whirl = orbit_of(shape, p).whirl();
+    const Whirl whirl = orbit_of(shape, p).whirl(spin);
     forward = forward || whirl == Whirl::forward;
     backward = backward || whirl == Whirl::backward;
   }

@@ -33,15 +33,15 @@ struct Orbit {
   double minor = 0;        ///< the shorter one: positive forward, negative backward
   double inclination = 0;  ///< rad, of the longer one from x towards y, in (−π/2, π/2]
 
-  /// Of an aspect ratio below 10⁻⁶: planar.
-  Whirl whirl() const;
+  /// Of an aspect ratio below 10⁻⁶: planar. `spin` of the shaft, whose sign says which way is forward.
+  Whirl whirl(double spin = 1) const;
 };
 Orbit orbit_of(const ComplexVector& shape, const OrbitCoordinates& place);
 
-/// Of a motion Re(X e^{jωt}), ω > 0, of places that turn about z with speed > 0: x = cos ωt, y = sin ωt is forward. An
-/// orbit of an aspect ratio below 10⁻⁶ is a line; places that move less than 10⁻⁶ of the largest are passed over.
-/// Nothing where there are no places, or where none moves.
-std::optional<Whirl> whirl_of(const ComplexVector& shape, const std::vector<OrbitCoordinates>& places);
+/// Of a motion Re(X e^{jωt}), ω > 0, of places that turn about z at `spin`: x = cos ωt, y = sin ωt is forward for spin
+/// ≥ 0, backward else. An orbit of an aspect ratio below 10⁻⁶ is a line; places that move less than 10⁻⁶ of the largest
+/// are passed over. Nothing where there are no places, or where none moves.
+std::optional<Whirl> whirl_of(const ComplexVector& shape, const std::vector<OrbitCoordinates>& places, double spin = 1);
 
 /// A part of a motion in axes that do not turn.
 struct FixedAxesPart {

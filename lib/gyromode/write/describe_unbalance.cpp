@@ -62,7 +62,7 @@ void describe_points(const UnbalanceReport& r, Writer& w) {
     const SynchronousPoint& p = r.response.points[static_cast<std::size_t>(row)];
     const Cell driven{p.participation && !p.added ? Json(to_string(p.driven)) : no_value},
         participation{p.participation ? Json(*p.participation) : no_value};
-    const auto orbit = [&](std::size_t k) { return p.resonance() ? Orbit{infinity, std::nan(""), 0} : orbit_of(p.q, r.places[k]); };
+    const auto orbit = [&](std::size_t k) { return p.resonance() ? Orbit{infinity, std::nan(""), 0} : r.orbit(p, k); };
     std::vector<Cell> cells{{w.spin(p.speed)}};
     if (json) {
       Json re, im, major = Json::array(), minor = Json::array();
@@ -115,10 +115,12 @@ void describe(const Model& model, const UnbalanceReport& r, Writer& w) {
                          : fmt::format("{:g} × speed", r.response.order));
   w.fact("labels", r.labels);
   w.fact("places", places);
+  w.fact("critical_coverage", to_string(r.response.coverage.status));
   w.fact("resonances", r.response.resonances());
   if (r.response.interrupted) w.fact("interrupted", true, "interrupted", "higher speeds were not computed");
   describe_critical_speeds(r, w);
-  w.say("orbits", "longer half axes, of the places that move most");
+  w.say("orbits",
+        r.response.order > 0 ? "longer half axes, of the places that move most" : "radii in fixed axes, of the places that move most");
   describe_points(r, w);
 }
 

@@ -54,11 +54,12 @@ std::string document(const Model& model, const ModesResult& result, const Timing
 
 ModeDetails details_of(const Model& model, const ModesResult& result) {
   ModeDetails d;
+  d.spin = model.spin.value_or(1);
   const std::vector<OrbitCoordinates> places = model.body->orbits();
   const bool turning = model.frame == Frame::turning && model.spin;
   for (const Mode& m : result.modes) {
     const bool there = m.shape.size() > 0 && m.kind != ModeKind::rigid_body;
-    d.whirl.push_back(there ? whirl_of(m.shape, places) : std::nullopt);
+    d.whirl.push_back(there ? whirl_of(m.shape, places, model.spin.value_or(1)) : std::nullopt);
     d.orbits.emplace_back();
     for (const OrbitCoordinates& p : places) {
       if (there && !p.name.empty()) d.orbits.back().emplace_back(p.name, orbit_of(m.shape, p));

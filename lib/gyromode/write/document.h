@@ -42,6 +42,7 @@ struct Layout {
 struct ModeDetails {
   std::vector<Sensitivity> sensitivities;                          ///< to numbers of the model
   std::vector<std::optional<Whirl>> whirl;                         ///< of every mode, or empty
+  double spin = 1;                                                 ///< rad/s, whose sign says which way is forward
   std::vector<std::string> names;                                  ///< of every mode, what the field calls it, or empty
   std::vector<std::vector<std::pair<std::string, Orbit>>> orbits;  ///< of every mode, of its places by name, or empty
   std::vector<std::vector<FixedAxesPart>> fixed_axes;              ///< of every mode of a model in turning axes, or empty

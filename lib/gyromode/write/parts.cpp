@@ -249,7 +249,7 @@ Json orbits_of_mode(const ModeDetails& d, Index k) {
   if (i >= d.orbits.size() || d.orbits[i].empty()) return no_value;
   Json all = Json::object();
   for (const auto& [name, o] : d.orbits[i])
-    all[name] = {{"whirl", to_string(o.whirl())}, {"major", o.major}, {"minor", o.minor}, {"inclination", o.inclination}};
+    all[name] = {{"whirl", to_string(o.whirl(d.spin))}, {"major", o.major}, {"minor", o.minor}, {"inclination", o.inclination}};
   return all;
 }
 

@@ -60,8 +60,7 @@ std::vector<std::size_t> highest(const std::vector<double>& peaks, std::size_t m
 std::vector<double> peaks_of(const UnbalanceReport& r) {
   std::vector<double> peaks(r.places.size(), 0);
   for (const SynchronousPoint& p : r.response.points) {
-    for (std::size_t k = 0; k < r.places.size() && !p.resonance() && !p.added; ++k)
-      peaks[k] = std::max(peaks[k], orbit_of(p.q, r.places[k]).major);
+    for (std::size_t k = 0; k < r.places.size() && !p.resonance() && !p.added; ++k) peaks[k] = std::max(peaks[k], r.orbit(p, k).major);
   }
   return peaks;
 }
@@ -77,7 +76,7 @@ std::string unbalance_svg(const Model& model, const UnbalanceReport& r, const La
   for (const std::size_t k : highest(peaks_of(r), most_curves)) {
     Curve curve;
     for (const SynchronousPoint& p : r.response.points)
-      curve.emplace_back(speed(p.speed), p.resonance() ? std::nan("") : orbit_of(p.q, r.places[k]).major);
+      curve.emplace_back(speed(p.speed), p.resonance() ? std::nan("") : r.orbit(p, k).major);
     a.curves.emplace_back(r.places[k].name, std::move(curve));
   }
   for (const double omega : r.response.resonances()) a.resonances.push_back(speed(omega));
