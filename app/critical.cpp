@@ -43,6 +43,9 @@ ExitCode run(const Options& given) {
   const Parsed order = parse_real(o.order);
   if (order.outcome != Parsed::ok || !(order.value >= 0))
     throw UsageError(fmt::format("--order {}: a multiple of the speed was expected, such as 1, 2 or 0.5", o.order));
+  constexpr double least = 1e-6, most = 1e6;
+  if (order.value != 0 && !(order.value >= least && order.value <= most))
+    throw UsageError(fmt::format("--order {}: 0, or from {:g} to {:g}, was expected", o.order, least, most));
   options.order = order.value;
   options.window = o.window.read();
   options.lowest = o.lowest;

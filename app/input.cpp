@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace gyromode::app {
 
 // A fraction of the largest entry; written so that NaN fails.
@@ -149,6 +151,9 @@ CLI::Validator whole_above_zero() {
 double frequency_option(const std::string& option, const std::string& text) {
   const auto value = parse_frequency(text);
   if (!value) throw UsageError(fmt::format("{} {}: '{}' is no frequency: {} was expected", option, text, text, frequency_form));
+  constexpr double most = 1e30;  // beyond, squares leave the range of numbers
+  if (std::abs(*value) > most)
+    throw UsageError(fmt::format("{} {}: {:.3g} rad/s, where {:.0e} is the most that is computed with", option, text, *value, most));
   return *value;
 }
 

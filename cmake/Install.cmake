@@ -8,6 +8,7 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/gyromode-config-ver
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/gyromode-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/gyromode-config-version.cmake
               ${CMAKE_CURRENT_LIST_DIR}/FindLAPACKE.cmake ${CMAKE_CURRENT_LIST_DIR}/FindOpenBLASLibrary.cmake ${CMAKE_CURRENT_LIST_DIR}/Findlibmd.cmake
               ${CMAKE_CURRENT_LIST_DIR}/FindMatIO.cmake ${CMAKE_CURRENT_LIST_DIR}/Findlibzip.cmake ${CMAKE_CURRENT_LIST_DIR}/FindMuParser.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/FindMUMPS.cmake ${CMAKE_CURRENT_LIST_DIR}/FindMETIS.cmake
         DESTINATION ${gyromode_cmake_dir})
 file(RELATIVE_PATH gyromode_pc_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/gyromode.pc.in ${CMAKE_CURRENT_BINARY_DIR}/gyromode.pc @ONLY)

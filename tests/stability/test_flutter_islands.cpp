@@ -57,5 +57,29 @@ TEST(FlutterIslands, EveryOneIsInTheMap) {
   std::printf("%d ends of islands, %d missed\n", 2 * draws, missed);
 }
 
+// Two islands between two points of the grid, and the stable window between them: three masses of which one pair of
+// roots collides after another (found by a dense sweep: flutter on 2.15956 … 2.19244 and 2.34939 … 2.36329).
+TEST(FlutterIslands, StableWindowBetweenTwo) {
+  const Vector mass = Vector{{3, 3, 3, 3, 1, 1}};
+  Matrix k = Matrix::Zero(6, 6), g = k;
+  k.diagonal() << 4, 11, 7, 4, 11, 8;
+  for (const Index i : {0, 1, 2, 3}) k(i, i + 2) = k(i + 2, i) = 1;
+  for (const Index i : {0, 2, 4}) {
+    g(i, i + 1) = -2 * mass(i);
+    g(i + 1, i) = 2 * mass(i);
+  }
+  const SpinFamily family{mass.asDiagonal(), Matrix::Zero(6, 6), g, k, -Matrix(mass.asDiagonal()), {}, {}};
+  for (const double sense : {1.0, -1.0}) {
+    std::vector<double> spins;
+    for (int i = 0; i <= 8; ++i) spins.push_back(sense > 0 ? 0.5 * i : -4 + 0.5 * i);
+    const StabilityMap map = Model(family, 1.0).stability_over({{"spin", spins}});
+    for (const double end : {2.159557, 2.192442, 2.349395, 2.363294}) {
+      EXPECT_TRUE(std::any_of(map.critical.begin(), map.critical.end(), [&](const CriticalValue& c) {
+        return std::abs(c.value - sense * end) <= 1e-5 && c.from.balance.quadruples != c.to.balance.quadruples;
+      })) << sense * end;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gyromode

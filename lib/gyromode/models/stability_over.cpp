@@ -1,7 +1,9 @@
 #include "gyromode/models/stability_over.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/sweep/campbell.h"
+#include "gyromode/base/rounding.h"
+#include "gyromode/sweep/encounters.h"
+#include "gyromode/sweep/spin_track.h"
 
 namespace gyromode {
 
@@ -27,22 +29,28 @@ StabilityPoint verdict_at(const ModelKind& model, const std::vector<ParameterAxi
   }
 }
 
-// The ends of the intervals of flutter that branches over the spin show, of a family of matrices; none where the
-// parameter is another, or nothing can be followed.
+// Where branches over the spin, followed in a family of matrices, begin or end to flutter, or the index balance of
+// neighbouring spins that this looked at differs; none where the parameter is another, or nothing can be followed.
 std::vector<double> flutter_over_spin(const ModelKind& model, const ParameterAxis& axis, const Progress& progress) {
   constexpr Index largest = 200;  // coordinates: every spin is solved whole
   if (axis.keys != model.speed_key() || axis.values.size() < 2 || model.size() > largest) return {};
   try {
     const SpinSource source = model.spin_source();
     if (!source.family) return {};
-    CampbellOptions o;
-    o.spins = axis.values;
-    o.lowest = model.size();
-    o.orders.clear();
-    o.progress.stop = progress.stop;
+    Progress quiet;
+    quiet.stop = progress.stop;
+    const SpinSampler sampler(source, {infinity, model.size()}, axis.values.front(), axis.values.back());
+    SpinTrack track(sampler, axis.values, quiet);
     std::vector<double> all;
-    for (const Encounter& e : campbell(source, o).encounters) {
+    for (const Encounter& e : encounters(track)) {
       if (e.flutter) all.insert(all.end(), e.flutter->begin(), e.flutter->end());
+    }
+    const SpinSample* before = nullptr;
+    for (const auto& [spin, point] : track.points()) {
+      const IndexBalance& b = point.sample.balance;
+      if (before && (b.quadruples != before->balance.quadruples || b.real_pairs != before->balance.real_pairs))
+        all.push_back(0.5 * (before->spin + spin));
+      before = &point.sample;
     }
     return all;
   } catch (const Error&) {  // no such family, or no mode at a spin
