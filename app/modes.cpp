@@ -33,14 +33,16 @@ struct Options {
 
 constexpr Index lowest_of_infinitely_many = 10;
 
-// A spacecraft has infinitely many modes: how many of them.
-void bound(ModesOptions& options, const Options& o) {
-  if (o.all) throw UsageError("--all: a spacecraft with exact booms has infinitely many modes; give --below W, --window A:B or --lowest N");
+// Of a spacecraft, which has infinitely many modes, and of a large sparse model, how many of them.
+void bound(ModesOptions& options, const Options& o, bool transcendental) {
+  const char* why =
+      transcendental ? "a spacecraft with exact booms has infinitely many modes" : "a large sparse model is searched window by window";
+  if (o.all) throw UsageError(fmt::format("--all: {}; give --below W, --window A:B or --lowest N", why));
   if (options.lowest) return;
   if (!o.window.given())
     options.lowest = lowest_of_infinitely_many;
   else if (options.window.open())
-    throw UsageError("--window: a spacecraft with exact booms has infinitely many modes; the upper end is needed");
+    throw UsageError(fmt::format("--window: {}; the upper end is needed", why));
 }
 
 ExitCode run(const Options& given) {
@@ -54,7 +56,7 @@ ExitCode run(const Options& given) {
   if (!o.keep.empty()) options.keep = labels_of(o.keep, job.model().labels());
   if (o.method == "discrete") job.replace(job.model().body->discretised(o.elements));
   const bool infinite = !job.model().body->finite();
-  if (infinite) bound(options, o);
+  if (infinite) bound(options, o, job.model().body->transcendental());
   o.output.pictures = job.model().body->has_outlines();
   const Format format = o.output.chosen();
   const bool parts = !job.model().body->orbits().empty();  // whirl and parts belong in the table

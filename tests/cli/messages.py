@@ -127,6 +127,24 @@ said(1, "multiples of the speed were expected, such as 1 or 0.5,1,2", "campbell"
 said(3, "a sweep over the spin needs a rotor, a spacecraft, or matrices with 'spin'", "campbell", "m.toml", "--spin", "0:100:3")
 said(0, "f [Hz] at 0 Hz", "campbell", "m.toml", "--spin", "0:9000rpm:4", "--units", "Hz", model=ROTOR)
 said(1, "--units", "campbell", "m.toml", "--spin", "0:100:3", "--units", "rps", model=ROTOR)
+# Structures
+STRUCTURE = 'kind = "structure"\nmass = "a.mas"\nstiffness = "a.sti"\ndofs = "a.dof"\nspin = 1\n'
+FILES = {"a.mas": "1 1 2.0\n2 2 2.0\n", "a.sti": "1 1 9.0\n2 2 8.0\n", "a.dof": "7.1\n7.2\n"}
+def of_mesh(code, words, *more, files={}, text=STRUCTURE):
+    said(code, words, *more, "m.toml", model=text, files={**FILES, **files})
+of_mesh(0, "complete: found 1", "modes", "--lowest", "1")
+of_mesh(2, "a.dof:2: '7' is no coordinate: node.direction was expected", "modes", "--lowest", "1", files={"a.dof": "7.1\n7\n"})
+of_mesh(2, "a.dof:2: '7.1' is given a second time (first on line 1)", "modes", "--lowest", "1", files={"a.dof": "7.1\n7.1\n"})
+of_mesh(2, "a.mas:2: entry (3, 3) is outside a matrix of order 2, which the dof table gives", "modes", "--lowest", "1", files={"a.mas": "1 1 2.0\n3 3 2.0\n"})
+of_mesh(2, "a.sti:2: '2 2' is no entry: row, column and a finite number were expected", "modes", "--lowest", "1", files={"a.sti": "1 1 9.0\n2 2"})
+of_mesh(2, "gives an entry twice, or both triangles", "modes", "--lowest", "1", files={"a.sti": "1 1 9.0\n1 2 1\n2 1 1\n2 2 8.0\n"})
+of_mesh(2, "key 'dofs' is missing: a file was expected", "modes", "--lowest", "1", text=STRUCTURE.replace('dofs = "a.dof"\n', ""))
+of_mesh(2, "cannot be opened", "modes", "--lowest", "1", text=STRUCTURE.replace("a.sti", "b.sti"))
+of_mesh(3, "mass couples 7.y and 7.x", "modes", "--lowest", "1", files={"a.mas": "1 1 2.0\n1 2 0.5\n2 2 2.0\n"})
+of_mesh(3, "node 7 has rotations (direction 4)", "modes", "--lowest", "1", files={"a.dof": "7.1\n7.4\n"})
+of_mesh(3, "K is singular to rounding", "modes", "--lowest", "1", files={"a.sti": "1 1 0.0\n2 2 8.0\n"})
+of_mesh(3, "M must be positive definite: its diagonal entry of 7.x is -2", "modes", "--lowest", "1", files={"a.mas": "1 1 -2.0\n2 2 -2.0\n"})
+of_mesh(1, "a large sparse model is searched window by window", "modes", "--window", "1:")
 # Unbalance
 def unbalanced(code, words, what, *more, model=ROTOR):
     said(code, words, "response", "m.toml", "--unbalance", what, *more, model=model)

@@ -3,6 +3,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
 #include "gyromode/modes/shape.h"
+#include "gyromode/sparse/matrix.h"
 #include "gyromode/sparse/partition.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ using sparse::Search;
 
 // The least |xᴴHx| over |x|ᵀ|H||x| that two steps of inverse iteration with the factored H find: how far from singular.
 double margin_of(const SparseSystem& s, sparse::ShiftedImpedance& h) {
+  if (h.singular()) return 0;
   const Index n = s.size();
   const double w = h.shift();
   std::mt19937_64 bits(7);
@@ -50,6 +52,7 @@ double margin_of(const SparseSystem& s, sparse::ShiftedImpedance& h) {
   return least;
 }
 
+constexpr double worst_residual = 1e-10;    // of a root that is listed
 constexpr double singular = 1e3 * epsilon;  // of that margin (theory sparse §1)
 
 // No root beyond what a Krylov space of this width holds is looked for at one shift.
@@ -61,11 +64,11 @@ Index widest(Index wanted) { return 160 + 8 * wanted; }
 SparseSpectrum::SparseSpectrum(const SparseSystem& system, const Progress& progress)
     : system_(system), structure_(sparse::analyse(system)), norms_(sparse::norms_of(system)), impedance_(system, structure_) {
   progress.stage("factorisation of K");
-  at_zero_ = std::make_unique<Search>(system_, impedance_, norms_, 0);
-  stiffness_negative_ = at_zero_->negative_at_shift();
+  stiffness_negative_ = impedance_.factor(0);
   if (!(margin_of(system_, impedance_) > singular))
     throw NotApplicable(
         "K is singular to rounding: sparse models with rigid-body motions are not served yet; hold them, or add soft springs");
+  at_zero_ = std::make_unique<Search>(system_, impedance_, norms_, 0);
   balance_.negative = stiffness_negative_;
   close_balance(progress);
 }
@@ -133,20 +136,20 @@ SparseSpectrum::Modes SparseSpectrum::between(double a, double b, Index expected
   }
   const auto inside = [&](const RitzMode& m) { return m.omega >= a && m.omega < b; };
   const auto enough = [&](const Search::Found& f) {
-    Index good = 0;
-    for (const RitzMode& m : f.modes) {
-      if (!inside(m)) continue;
-      if (!Search::converged(m)) return false;
-      ++good;
-    }
-    return good >= expected;
+    return std::count_if(f.modes.begin(), f.modes.end(), [&](const RitzMode& m) { return inside(m) && Search::converged(m); }) >= expected;
   };
   progress.stage("factorisation at the shift");
-  Search search(system_, impedance_, norms_, a > 0 ? 0.5 * (a + b) : 0);
+  double sigma = a > 0 ? 0.5 * (a + b) : 0;
+  for (int attempt = 0; attempt < 8; ++attempt) {  // one on a mode is moved
+    impedance_.factor(sigma);
+    if (sigma == 0 || margin_of(system_, impedance_) > singular) break;
+    sigma += 0.013 * (b - a);
+  }
+  Search search(system_, impedance_, norms_, sigma);
   Search::Found f = search.until(enough, b, widest(expected), progress);
   Modes all;
-  for (RitzMode& m : f.modes) {
-    if (inside(m)) all.push_back(std::move(m));
+  for (RitzMode& m : f.modes) {  // what has not converged may be none
+    if (inside(m) && m.residual <= worst_residual) all.push_back(std::move(m));
   }
   return all;
 }
@@ -179,15 +182,11 @@ std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window&
 }
 
 RootRange SparseSpectrum::range_of(Modes modes) const {
-  constexpr double worst = 1e-10;
   const auto kept = std::make_shared<const Modes>(std::move(modes));
   RootRange r;
   for (std::size_t k = 0; k < kept->size(); ++k) {
     const RitzMode& m = (*kept)[k];
-    r.roots.push_back({m.omega, std::max(m.error_bound, 4 * epsilon * m.omega), m.energy_sign, false, false,
-                       m.residual <= worst
-                           ? ""
-                           : fmt::format("the root at ω = {:.6g} has the residual {:.2g}, above {:.0e}", m.omega, m.residual, worst)});
+    r.roots.push_back({m.omega, std::max(m.error_bound, 4 * epsilon * m.omega), m.energy_sign, false, false, ""});
   }
   r.mode = [this, kept](std::size_t i, bool with_shape) { return mode_of((*kept)[i], with_shape); };
   return r;

@@ -7,12 +7,14 @@
 #include "gyromode/read/read_model.h"
 #include "gyromode/read/rotor_toml.h"
 #include "gyromode/read/spacecraft_toml.h"
+#include "gyromode/read/structure_toml.h"
 #include "gyromode/formats/text_file.h"
 #include "gyromode/read/toml_table.h"
 #include "gyromode/models/family_parameters.h"
 #include "gyromode/models/matrices.h"
 #include "gyromode/models/rotor_model.h"
 #include "gyromode/models/spacecraft_model.h"
+#include "gyromode/models/structure_model.h"
 #include "gyromode/system/laws.h"
 
 #include <fmt/format.h>
@@ -171,6 +173,13 @@ std::shared_ptr<const ModelKind> read_rotor_model(const TomlTable& table, const 
   return std::make_shared<RotorModel>(std::move(r));
 }
 
+std::shared_ptr<const ModelKind> read_structure_model(const TomlTable& table, const Admission&, std::optional<double>& spin,
+                                                      Digest& digest) {
+  StructureParts p = read_structure(table, digest);
+  spin = p.spin;
+  return std::make_shared<StructureModel>(std::move(p));
+}
+
 // Every kind: its word in model files, and who reads it.
 struct Kind {
   std::string_view word;
@@ -178,10 +187,9 @@ struct Kind {
   Frame frame;  // where the file says nothing
 };
 constexpr Kind kinds[] = {
-    {"matrices", read_second_order, Frame::unknown},
-    {"first_order", read_first_order, Frame::unknown},
-    {"spacecraft", read_spacecraft_model, Frame::turning},
-    {"rotor", read_rotor_model, Frame::fixed},
+    {"matrices", read_second_order, Frame::unknown},       {"first_order", read_first_order, Frame::unknown},
+    {"spacecraft", read_spacecraft_model, Frame::turning}, {"rotor", read_rotor_model, Frame::fixed},
+    {"structure", read_structure_model, Frame::turning},
 };
 
 std::string quoted_kinds(char quote) {

@@ -161,6 +161,8 @@ std::optional<std::string> TomlTable::text(std::string_view key) const {
 
 bool TomlTable::has(std::string_view key) const { return content_->table.get(key) != nullptr; }
 
+std::filesystem::path TomlTable::folder() const { return content_->file.parent_path(); }
+
 bool TomlTable::is_array(std::string_view key) const { return has(key) && content_->table.get(key)->is_array(); }
 
 std::vector<std::string> TomlTable::texts_or_file(std::string_view key) const {

@@ -36,6 +36,8 @@ class TomlTable {
   void allow_only(std::span<const std::string_view> keys) const;
 
   std::optional<std::string> text(std::string_view key) const;
+  /// The folder that file names are relative to.
+  std::filesystem::path folder() const;
   bool has(std::string_view key) const;
   bool is_array(std::string_view key) const;
   std::vector<std::string> words(std::string_view key) const;  ///< a string, or an array of them; empty for a missing key

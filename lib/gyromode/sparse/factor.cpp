@@ -95,6 +95,7 @@ Index SymmetricFactor::factor(const SparseMatrix& lower) {
                                size_, entries(), m.mumps.infog[16]));
   if (m.status() < 0 && m.status() != -10)  // −10: numerically singular, which counts decide
     throw NotConverged(fmt::format("a matrix of order {} could not be factorised (MUMPS {}, {})", size_, m.status(), m.mumps.infog[1]));
+  singular_ = m.status() == -10;
   return m.mumps.infog[11];
 }
 

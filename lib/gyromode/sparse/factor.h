@@ -23,6 +23,8 @@ class SymmetricFactor {
   SymmetricFactor(const SymmetricFactor&) = delete;
   SymmetricFactor& operator=(const SymmetricFactor&) = delete;
 
+  /// Whether the last one was singular: nothing can be solved with it.
+  bool singular() const { return singular_; }
   /// Of a matrix with exactly that pattern. @returns the number of negative pivots, arbitrary where it is singular to
   /// rounding. @throws TooLarge, with the memory that it would take
   Index factor(const SparseMatrix& lower);
@@ -38,6 +40,7 @@ class SymmetricFactor {
   std::unique_ptr<Instance> of_;
   Keep keep_;
   Index size_ = 0, non_zeros_ = 0;
+  bool singular_ = false;
 };
 
 }  // namespace gyromode::sparse

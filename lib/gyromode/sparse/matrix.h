@@ -1,17 +1,10 @@
 #pragma once
 
-#include "gyromode/base/types.h"
-
-#include <Eigen/SparseCore>
+#include "gyromode/base/sparse_matrix.h"
 
 #include <vector>
 
-namespace gyromode {
-
-/// Compressed columns.
-using SparseMatrix = Eigen::SparseMatrix<double>;
-
-namespace sparse {
+namespace gyromode::sparse {
 
 /// AX of a symmetric A given by its lower triangle, diagonal included.
 Matrix symmetric_times(const SparseMatrix& lower, const Matrix& x);
@@ -22,5 +15,4 @@ double norm1(const SparseMatrix& lower);
 /// The rows and columns `chosen` (ascending) of a symmetric or skew A, of its lower triangle.
 SparseMatrix restricted(const SparseMatrix& lower, const std::vector<Index>& chosen);
 
-}  // namespace sparse
-}  // namespace gyromode
+}  // namespace gyromode::sparse

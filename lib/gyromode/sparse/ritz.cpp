@@ -1,5 +1,7 @@
 #include "gyromode/sparse/ritz.h"
 
+#include "gyromode/sparse/matrix.h"
+
 #include "gyromode/dense/solve.h"
 
 #include <algorithm>

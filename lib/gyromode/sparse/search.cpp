@@ -1,8 +1,11 @@
 #include "gyromode/sparse/search.h"
 
+#include "gyromode/sparse/matrix.h"
+
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -42,7 +45,7 @@ Search::Search(const SparseSystem& system, ShiftedImpedance& impedance, const No
 }
 
 bool Search::converged(const RitzMode& m) {
-  constexpr double enough = 1e-12;
+  constexpr double enough = 1e-11;  // a tenth of what is asked of a result
   return m.residual <= enough;
 }
 
@@ -80,8 +83,9 @@ Search::Found Search::found(double below) const {
 }
 
 Search::Found Search::until(const std::function<bool(const Found&)>& enough, double below, Index largest, const Progress& progress) {
-  constexpr int steps_between = 3;
-  Index wanted = 0;
+  constexpr int steps_between = 3, most_idle = 4;
+  Index best = 0;
+  int idle = 0;  // looks without a mode more that has converged
   for (int step = 1;; ++step) {
     const bool more = krylov_->step();
     if (progress.stopped()) throw Interrupted();
@@ -89,9 +93,10 @@ Search::Found Search::until(const std::function<bool(const Found&)>& enough, dou
     Found f = found(below);
     Index good = 0;
     for (const RitzMode& m : f.modes) good += converged(m) ? 1 : 0;
-    wanted = static_cast<Index>(f.modes.size());
-    progress.report("modes", good, wanted);
-    if (enough(f) || !more || v_->size() >= largest) return f;
+    progress.report("modes", good, static_cast<Index>(f.modes.size()));
+    idle = good > best ? 0 : idle + 1;
+    best = std::max(best, good);
+    if (enough(f) || !more || idle >= most_idle || v_->size() >= largest) return f;
   }
 }
 

@@ -90,9 +90,11 @@ Index ShiftedImpedance::negative_of_stiffness() const { return negative_at(0); }
 
 Index ShiftedImpedance::factor(double sigma) {
   if (!solver_) solver_ = std::make_unique<SymmetricFactor>(pattern_, order_, SymmetricFactor::Keep::factors);
+  if (negative_ && sigma_ == sigma) return *negative_;
   sigma_ = sigma;
   const Index negative = solver_->factor(at(sigma));
-  return quadrature_ ? negative : negative / 2;
+  negative_ = quadrature_ ? negative : negative / 2;
+  return *negative_;
 }
 
 double ShiftedImpedance::megabytes() const { return solver_ ? solver_->megabytes() : 0; }

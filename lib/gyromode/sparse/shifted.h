@@ -25,9 +25,11 @@ class ShiftedImpedance {
   /// n₋(K), at ω = 0.
   Index negative_of_stiffness() const;
 
-  /// Factorises H(σ), or K where σ = 0, to solve with; n₋ as it comes along.
+  /// Factorises H(σ), or K where σ = 0, to solve with, unless that is done; n₋ as it comes along.
   Index factor(double sigma);
   double shift() const { return sigma_; }
+  /// Whether H(σ) came out singular, so that it cannot be solved with.
+  bool singular() const { return solver_ && solver_->singular(); }
   /// H(σ)⁻¹R, n × m.
   ComplexMatrix solve(const ComplexMatrix& r);
   double megabytes() const;
@@ -44,6 +46,7 @@ class ShiftedImpedance {
   std::unique_ptr<SymmetricFactor> solver_;
   mutable std::unique_ptr<SymmetricFactor> counter_;
   double sigma_ = 0;
+  std::optional<Index> negative_;  // of H(σ), once it is factored
 };
 
 }  // namespace gyromode::sparse

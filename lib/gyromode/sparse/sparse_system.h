@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/base/labels.h"
-#include "gyromode/sparse/matrix.h"
+#include "gyromode/base/sparse_matrix.h"
 
 #include <vector>
 

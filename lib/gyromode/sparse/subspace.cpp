@@ -1,5 +1,7 @@
 #include "gyromode/sparse/subspace.h"
 
+#include "gyromode/sparse/matrix.h"
+
 #include "gyromode/lapack/small.h"
 
 #include <Eigen/Eigenvalues>
@@ -14,15 +16,17 @@ namespace {
 // Orthonormal combinations of the columns of x in the inner product whose Gram matrix is xᵀMx: x C, of those directions
 // that are above `least` of the largest.
 Matrix orthonormal_combinations(const Matrix& gram, double least) {
+  if (gram.rows() == 0) return Matrix(0, 0);
   const Eigen::SelfAdjointEigenSolver<Matrix> e(0.5 * (gram + gram.transpose()));
-  const double largest = e.eigenvalues().size() > 0 ? e.eigenvalues().maxCoeff() : 0;
   std::vector<Index> kept;
   for (Index k = e.eigenvalues().size(); k-- > 0;) {
-    if (e.eigenvalues()(k) > least * largest && e.eigenvalues()(k) > 0) kept.push_back(k);
+    if (e.eigenvalues()(k) > least) kept.push_back(k);
   }
   Matrix c(gram.rows(), static_cast<Index>(kept.size()));
-  for (Index k = 0; k < c.cols(); ++k)
-    c.col(k) = e.eigenvectors().col(kept[static_cast<std::size_t>(k)]) / std::sqrt(e.eigenvalues()(kept[static_cast<std::size_t>(k)]));
+  for (Index k = 0; k < c.cols(); ++k) {
+    const Index from = kept[static_cast<std::size_t>(k)];
+    c.col(k) = e.eigenvectors().col(from) / std::sqrt(e.eigenvalues()(from));
+  }
   return c;
 }
 
@@ -60,10 +64,9 @@ void Subspace::append(const Matrix& fresh, bool across) {
   column_across_.insert(column_across_.end(), static_cast<std::size_t>(m), across);
 }
 
-// Twice against V (once more is enough), then among themselves; directions below 10⁻¹² of the largest are rounding.
+// Columns of size 1, twice against V and among themselves: what is left of one below 10⁻¹⁰ is rounding.
 Matrix Subspace::add(const Matrix& x) {
-  constexpr double least = 1e-24;
-  const Index before = size_;
+  constexpr double least[2] = {1e-20, 1e-4};
   for (const bool across : {false, true}) {
     const std::vector<Index>& rows = rows_[across ? 1 : 0];
     if (rows.empty()) continue;
@@ -72,24 +75,21 @@ Matrix Subspace::add(const Matrix& x) {
       part(rows, Eigen::all) = x(rows, Eigen::all);
     else
       part = x;
-    const Vector size = part.colwise().norm();
+    const Vector squares = (part.cwiseProduct(symmetric_times(system_.mass(), part))).colwise().sum();
     std::vector<Index> there;
     for (Index j = 0; j < part.cols(); ++j) {
-      if (size(j) > 0) there.push_back(j);
+      if (squares(j) > 0) there.push_back(j);
     }
     if (there.empty()) continue;
     part = Matrix(part(Eigen::all, there));
-    const Matrix scale = part.colwise().norm();
-    for (Index j = 0; j < part.cols(); ++j) part.col(j) /= scale(0, j);
-    for (int pass = 0; pass < 2; ++pass) {
+    for (Index j = 0; j < part.cols(); ++j) part.col(j) /= std::sqrt(squares(there[static_cast<std::size_t>(j)]));
+    for (const double square : least) {
       if (size_ > 0) part -= v_.leftCols(size_) * (mv_.leftCols(size_).transpose() * part);
-      const Matrix c = orthonormal_combinations(part.transpose() * symmetric_times(system_.mass(), part), least);
-      part = part * c;
+      part = part * orthonormal_combinations(part.transpose() * symmetric_times(system_.mass(), part), square);
     }
     append(part, across);
     if (!partition_) break;
   }
-  (void)before;
   return mv_.leftCols(size_).transpose() * x;
 }
 

@@ -171,7 +171,7 @@ std::string rotor_svg(const Model& model, const ModesResult& r, const ModeDetail
       panel::gap);
   for (std::size_t i = 0; i < pictured.size(); ++i) {
     const double left = panel::gap + static_cast<double>(i % panel::columns) * (panel::width + panel::gap),
-                 top = panel::head + static_cast<double>(i / panel::columns) * row;
+                 top = panel::head + std::floor(static_cast<double>(i) / panel::columns) * row;
     out += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" class=\"caption\">{}</text>\n", left, top + 18,
                        xml_escaped(words(r, d, pictured[i], l)));
     out += drawn(r, r.modes[pictured[i]], left, top + panel::caption);

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "gyromode/sparse/sparse_system.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace gyromode {
+
+/// What a coordinate of a mesh is: the number of its node, and 0, 1, 2 for a displacement along x, y, z.
+struct MeshCoordinate {
+  long node = 0;
+  int direction = 0;
+};
+
+/// An export of a finite-element code: M and K (which holds the stress and the softening of the spin) in axes that turn
+/// with the structure.
+struct StructureParts {
+  SparseMatrix mass, stiffness;             ///< lower triangles
+  std::vector<MeshCoordinate> coordinates;  ///< n
+  double spin = 0;                          ///< Ω, rad per unit of time
+  std::array<double, 3> axis{0, 0, 1};      ///< of the spin; any length but zero
+};
+
+/// M, K and G = 2ΩM[a]×, a the unit axis: of mass that is the same in all directions and couples none, as that of
+/// displacements of nodes is. @throws LawBroken, with the nodes named, where mass couples directions or differs between
+/// them, or where the mass between two nodes is not in M because they share no direction; and as SparseSystem
+SparseMatrices assembled(const StructureParts& parts);
+
+/// What an inspection of a mesh tells.
+struct MeshFacts {
+  Index nodes = 0;
+  std::array<double, 3> mass_per_direction{};  ///< the sum of M over the coordinates of each; without what is held
+};
+MeshFacts facts_of(const StructureParts& parts);
+
+}  // namespace gyromode

@@ -1,0 +1,187 @@
+// Modes of sparse systems: exactly known spectra, the dense engine, and what is refused.
+#include "gyromode/base/error.h"
+#include "gyromode/models/structure_mesh.h"
+#include "gyromode/modes/modes.h"
+#include "support/random_matrices.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace gyromode {
+namespace {
+
+SparseMatrix lower_of(const Matrix& a, bool with_diagonal = true) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index j = 0; j < a.cols(); ++j) {
+    for (Index i = with_diagonal ? j : j + 1; i < a.rows(); ++i) {
+      if (a(i, j) != 0) entries.emplace_back(static_cast<int>(i), static_cast<int>(j), a(i, j));
+    }
+  }
+  SparseMatrix s(a.rows(), a.cols());
+  s.setFromTriplets(entries.begin(), entries.end());
+  return s;
+}
+
+// A chain of `masses` unit masses on unit springs between walls, vibrating across two axes, seen from axes that turn at
+// Ω: frequencies |ω_k ± Ω|, ω_k = 2 sin(kπ / (2(N + 1))), each exactly.
+StructureParts chain(Index masses, double spin) {
+  std::vector<Eigen::Triplet<double>> m, k;
+  StructureParts p;
+  p.spin = spin;
+  for (Index i = 0; i < masses; ++i) {
+    for (int d = 0; d < 2; ++d) {
+      const int at = static_cast<int>(2 * i) + d;
+      p.coordinates.push_back({i + 1, d});
+      m.emplace_back(at, at, 1);
+      k.emplace_back(at, at, 2 - spin * spin);
+      if (i > 0) k.emplace_back(at, at - 2, -1);
+    }
+  }
+  p.mass.resize(2 * masses, 2 * masses);
+  p.stiffness.resize(2 * masses, 2 * masses);
+  p.mass.setFromTriplets(m.begin(), m.end());
+  p.stiffness.setFromTriplets(k.begin(), k.end());
+  return p;
+}
+
+std::vector<double> known(Index masses, double spin) {
+  std::vector<double> all;
+  for (Index k = 1; k <= masses; ++k) {
+    const double w = 2 * std::sin(static_cast<double>(k) * std::numbers::pi / (2 * (static_cast<double>(masses) + 1)));
+    all.push_back(std::abs(w - spin));
+    all.push_back(w + spin);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void expect_window(Index masses, double spin, double a, double b) {
+  const SparseSystem system(assembled(chain(masses, spin)));
+  ModesOptions o;
+  o.window = {a, b};
+  const ModesResult r = find_modes(system, o);
+  std::vector<double> expected;
+  for (const double w : known(masses, spin)) {
+    if (w >= a && w < b) expected.push_back(w);
+  }
+  EXPECT_EQ(r.coverage.status, CoverageStatus::complete) << spin << " [" << a << ", " << b << "): " << r.coverage.reason;
+  ASSERT_EQ(r.modes.size(), expected.size()) << spin << " [" << a << ", " << b << ")";
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_NEAR(r.modes[k].omega, expected[k], 1e-10 * (1 + expected[k])) << spin << " " << k;
+    EXPECT_NEAR(r.modes[k].omega, expected[k], 2 * r.modes[k].error_bound + 1e-15) << "the bound holds";
+  }
+}
+
+TEST(SparseModes, WindowsOfAChainInTurningAxes) {
+  for (const double spin : {0.0, 0.0003, 0.004, 0.3}) {
+    const Index masses = spin > 0.1 ? 60 : 1000;
+    const double low = known(masses, spin).front();
+    expect_window(masses, spin, 0, low + 0.02);
+    expect_window(masses, spin, 0.5, 0.52);
+    expect_window(masses, spin, 1.9, 1.91);
+  }
+}
+
+// Below some ω_k the axes turn faster than a mode vibrates: K is indefinite, by two eigenvalues a mode, and the mode
+// has negative energy.
+TEST(SparseModes, FastAxesMakeNegativeEnergy) {
+  const Index masses = 400;
+  const double spin = 0.02;  // above ω₁ = 0.00783 and ω₂ = 0.01567
+  const ModesResult r = find_modes(SparseSystem(assembled(chain(masses, spin))), [] {
+    ModesOptions o;
+    o.window.b = 0.03;
+    return o;
+  }());
+  EXPECT_EQ(r.stability, Stability::gyroscopically_stabilised);
+  EXPECT_EQ(r.index_balance.negative, 4);
+  EXPECT_EQ(r.index_balance.negative_energy, 2);
+  EXPECT_TRUE(r.is_complete()) << r.coverage.reason;
+  EXPECT_EQ(std::count_if(r.modes.begin(), r.modes.end(), [](const Mode& m) { return m.energy_sign < 0; }), 2);
+}
+
+TEST(SparseModes, LowestOfAChain) {
+  for (const double spin : {0.0, 0.001}) {
+    ModesOptions o;
+    o.lowest = 12;
+    const ModesResult r = find_modes(SparseSystem(assembled(chain(3000, spin))), o);
+    EXPECT_TRUE(r.is_complete()) << r.coverage.reason;
+    const std::vector<double> expected = known(3000, spin);
+    ASSERT_GE(r.modes.size(), 12u);
+    for (std::size_t k = 0; k < r.modes.size(); ++k) EXPECT_NEAR(r.modes[k].omega, expected[k], 1e-10) << spin << " " << k;
+  }
+}
+
+// Banded systems of both classes, K definite or not, by the dense engine.
+TEST(SparseModes, AreThoseOfTheDenseEngine) {
+  support::Source source{std::mt19937_64(8)};
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(source.bits); };
+  int compared = 0;
+  for (int draw = 0; draw < 40; ++draw) {
+    const Index n = source.integer(20, 90), band = 4;
+    const bool partition = draw % 2 == 0;
+    const double unit = std::exp2(static_cast<double>(source.integer(-30, 30))),
+                 time = std::exp2(static_cast<double>(source.integer(-20, 20)));
+    Matrix m = Matrix::Zero(n, n), g = m, k = m;
+    for (Index j = 0; j < n; ++j) {
+      m(j, j) = uniform(1, 2);
+      k(j, j) = uniform(draw % 3 == 0 ? 1 : 5, 12);
+      for (Index i = j + 1; i < std::min(n, j + band); ++i) {
+        const bool cross = (i % 2) != (j % 2);
+        if (!partition || !cross) m(i, j) = m(j, i) = uniform(-0.1, 0.1);
+        if (!partition || !cross) k(i, j) = k(j, i) = uniform(-1.5, 1.5);
+        if (!partition || cross) {
+          g(i, j) = uniform(-1, 1);
+          g(j, i) = -g(i, j);
+        }
+      }
+    }
+    m *= unit;
+    g *= unit / time;
+    k *= unit / (time * time);
+    const ModesResult dense = find_modes(System(m, g, k));
+    if (dense.stability == Stability::unknown || dense.stability == Stability::marginal) continue;
+    const std::vector<double> all = dense.frequencies();
+    const double b = 0.5 * (all[all.size() / 4] + all[all.size() / 4 + 1]);
+    ModesOptions o;
+    o.window.b = b;
+    const ModesResult r = find_modes(SparseSystem({lower_of(m), lower_of(g, false), lower_of(k), {}, {}}), o);
+    const auto expected = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](double w) { return w < b; }));
+    EXPECT_EQ(r.structure.system_class(), dense.structure.system_class()) << draw;
+    EXPECT_EQ(r.stability, dense.stability) << draw << ": " << r.coverage.reason;
+    ASSERT_EQ(r.modes.size(), expected) << draw << ": " << r.coverage.reason;
+    EXPECT_TRUE(r.is_complete()) << draw << ": " << r.coverage.reason;
+    for (std::size_t i = 0; i < expected; ++i) {
+      EXPECT_NEAR(r.modes[i].omega, all[i], 1e-10 * all[i] + dense.modes[i].error_bound) << draw;
+      EXPECT_EQ(r.modes[i].energy_sign, dense.modes[i].energy_sign) << draw;
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 25);
+}
+
+TEST(SparseModes, WhatIsRefused) {
+  StructureParts p = chain(3, 0.1);
+  StructureParts coupled = p;
+  coupled.mass.coeffRef(1, 0) = 0.2;
+  EXPECT_THROW(assembled(coupled), LawBroken);
+  StructureParts uneven = p;
+  uneven.mass.coeffRef(1, 1) = 2;
+  EXPECT_THROW(assembled(uneven), LawBroken);
+  StructureParts apart = p;
+  apart.coordinates = {{1, 0}, {2, 1}, {3, 0}, {3, 1}, {4, 0}, {4, 1}};
+  EXPECT_THROW(assembled(apart), LawBroken);
+  StructureParts no_axis = p;
+  no_axis.axis = {0, 0, 0};
+  EXPECT_THROW(assembled(no_axis), LawBroken);
+  SparseMatrices negative = assembled(p);
+  negative.mass.coeffRef(0, 0) = -1;
+  EXPECT_THROW(SparseSystem{negative}, LawBroken);
+  EXPECT_THROW(find_modes(SparseSystem(assembled(p))), InvalidArgument) << "no end, no number";
+}
+
+}  // namespace
+}  // namespace gyromode
