@@ -9,9 +9,9 @@ namespace gyromode {
 
 namespace {
 
-using Numbers = std::vector<std::pair<std::string, double>>;
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
-double largest(const SparseMatrix& a) { return a.nonZeros() > 0 ? a.coeffs().cwiseAbs().maxCoeff() : 0; }
+double largest_entry_of(const SparseMatrix& a) { return a.nonZeros() > 0 ? a.coeffs().cwiseAbs().maxCoeff() : 0; }
 
 }  // namespace
 
@@ -30,11 +30,11 @@ StructureReport StructureModel::structure(std::optional<double> at) const {
   const MeshFacts f = facts_of(parts_);
   r.checks = {
       {"nodes", static_cast<double>(f.nodes)},
-      {"mass_per_direction", Numbers{{"x", f.mass_per_direction[0]}, {"y", f.mass_per_direction[1]}, {"z", f.mass_per_direction[2]}}},
+      {"mass_per_direction", NamedNumbers{{"x", f.mass_per_direction[0]}, {"y", f.mass_per_direction[1]}, {"z", f.mass_per_direction[2]}}},
       {"scales",
-       Numbers{
-           {"mass", largest(system_.mass())}, {"gyroscopic", largest(system_.gyroscopic())}, {"stiffness", largest(system_.stiffness())}}},
-      {"entries", Numbers{{"mass", static_cast<double>(system_.mass().nonZeros())},
+       NamedNumbers{
+           {"mass", largest_entry_of(system_.mass())}, {"gyroscopic", largest_entry_of(system_.gyroscopic())}, {"stiffness", largest_entry_of(system_.stiffness())}}},
+      {"entries", NamedNumbers{{"mass", static_cast<double>(system_.mass().nonZeros())},
                           {"gyroscopic", static_cast<double>(system_.gyroscopic().nonZeros())},
                           {"stiffness", static_cast<double>(system_.stiffness().nonZeros())}}}};
   return r;
