@@ -146,10 +146,11 @@ TEST_F(ModelToml, Kinds) {
   EXPECT_EQ(error("# nothing\n"), expected);
   EXPECT_EQ(error("kind = ''\n"), expected);
   EXPECT_EQ(error("\nkind = 'turbine'\n"),
-            "model.toml:2:8: kind 'turbine' is not known to this version: 'matrices', 'first_order', 'spacecraft', 'rotor' or 'structure' was expected");
-  EXPECT_EQ(
-      error("kind = 'Matrices'\n"),
-      "model.toml:1:8: kind 'Matrices' is not known to this version: 'matrices', 'first_order', 'spacecraft', 'rotor' or 'structure' was expected");
+            "model.toml:2:8: kind 'turbine' is not known to this version: 'matrices', 'first_order', 'spacecraft', 'rotor' or 'structure' "
+            "was expected");
+  EXPECT_EQ(error("kind = 'Matrices'\n"),
+            "model.toml:1:8: kind 'Matrices' is not known to this version: 'matrices', 'first_order', 'spacecraft', 'rotor' or 'structure' "
+            "was expected");
   EXPECT_EQ(error("kind = 1\n"), "model.toml:1:8: 'kind' is a number: a string was expected");
 }
 

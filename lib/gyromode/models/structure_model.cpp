@@ -1,9 +1,16 @@
 #include "gyromode/models/structure_model.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/models/family_parameters.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/sparse/partition.h"
 #include "gyromode/sparse/shifted.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <utility>
 
 namespace gyromode {
 
@@ -12,6 +19,44 @@ namespace {
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
 double largest_entry_of(const SparseMatrix& a) { return a.nonZeros() > 0 ? a.coeffs().cwiseAbs().maxCoeff() : 0; }
+
+// What an inspection tells of the mesh.
+std::vector<ModelCheck> checks_of(const StructureParts& parts) {
+  const MeshFacts f = facts_of(parts);
+  const auto& mass = f.mass_per_direction;
+  return {{"nodes", static_cast<double>(f.nodes)}, {"mass_per_direction", NamedNumbers{{"x", mass[0]}, {"y", mass[1]}, {"z", mass[2]}}}};
+}
+
+// A symmetric (sign 1) or skew (−1) matrix by its lower triangle, in full.
+Matrix full(const SparseMatrix& lower, double sign) {
+  const Matrix below = lower;
+  Matrix all = below + sign * below.transpose();
+  if (sign > 0) all.diagonal() = below.diagonal();
+  return all;
+}
+
+// Displacements across z, where the axes turn about it.
+std::vector<OrbitCoordinates> orbits_across_z(const StructureParts& p) {
+  std::vector<OrbitCoordinates> all;
+  if (p.axis[0] != 0 || p.axis[1] != 0) return all;
+  std::map<long, std::array<Index, 2>> nodes;
+  for (std::size_t k = 0; k < p.coordinates.size(); ++k) {
+    const MeshCoordinate& c = p.coordinates[k];
+    if (c.direction > 1) continue;
+    auto& pair = nodes.try_emplace(c.node, std::array<Index, 2>{-1, -1}).first->second;
+    pair[static_cast<std::size_t>(c.direction)] = static_cast<Index>(k);
+  }
+  for (const auto& [node, at] : nodes) {
+    if (at[0] >= 0 && at[1] >= 0) all.push_back({at[0], at[1], fmt::format("node {}", node)});
+  }
+  return all;
+}
+
+std::shared_ptr<const ModelKind> dense_model_of(const StructureParts& p) {
+  SparseMatrices m = assembled(p);
+  SpinFamily family{full(m.mass, 1), full(m.gyroscopic, -1), {}, full(m.stiffness, 1), {}, std::move(m.labels), {}};
+  return model_of({std::make_shared<const SpinFamily>(std::move(family)), std::nullopt, orbits_across_z(p)});
+}
 
 }  // namespace
 
@@ -27,22 +72,33 @@ StructureReport StructureModel::structure(std::optional<double> at) const {
   r.structure = sparse::analyse(system_);
   sparse::ShiftedImpedance h(system_, r.structure);
   r.stiffness.negative = h.negative_of_stiffness();
-  const MeshFacts f = facts_of(parts_);
-  r.checks = {
-      {"nodes", static_cast<double>(f.nodes)},
-      {"mass_per_direction", NamedNumbers{{"x", f.mass_per_direction[0]}, {"y", f.mass_per_direction[1]}, {"z", f.mass_per_direction[2]}}},
-      {"scales",
-       NamedNumbers{
-           {"mass", largest_entry_of(system_.mass())}, {"gyroscopic", largest_entry_of(system_.gyroscopic())}, {"stiffness", largest_entry_of(system_.stiffness())}}},
-      {"entries", NamedNumbers{{"mass", static_cast<double>(system_.mass().nonZeros())},
-                          {"gyroscopic", static_cast<double>(system_.gyroscopic().nonZeros())},
-                          {"stiffness", static_cast<double>(system_.stiffness().nonZeros())}}}};
+  r.checks = checks_of(parts_);
+  const auto named = [&](const auto& number) {
+    return NamedNumbers{
+        {"mass", number(system_.mass())}, {"gyroscopic", number(system_.gyroscopic())}, {"stiffness", number(system_.stiffness())}};
+  };
+  r.checks.push_back({"scales", named(largest_entry_of)});
+  r.checks.push_back({"entries", named([](const SparseMatrix& a) { return static_cast<double>(a.nonZeros()); })});
   return r;
 }
 
 std::vector<std::string> StructureModel::doubts(bool) const {
   if (!system_.singular_mass()) return {};
   return {"M is singular to rounding, as elements of reduced integration leave it: motions without mass have no frequency of their own"};
+}
+
+SmallStructureModel::SmallStructureModel(StructureParts parts) : DelegatingModel(dense_model_of(parts)), parts_(std::move(parts)) {}
+
+StructureReport SmallStructureModel::structure(std::optional<double> at) const {
+  StructureReport r = DelegatingModel::structure(at);
+  for (ModelCheck& c : checks_of(parts_)) r.checks.push_back(std::move(c));
+  return r;
+}
+
+std::shared_ptr<const ModelKind> model_of_structure(StructureParts parts) {
+  constexpr Index few = 1000;
+  if (parts.mass.cols() > few || SparseSystem(assembled(parts)).singular_mass()) return std::make_shared<StructureModel>(std::move(parts));
+  return std::make_shared<SmallStructureModel>(std::move(parts));
 }
 
 }  // namespace gyromode

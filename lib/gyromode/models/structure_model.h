@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/models/delegating_model.h"
 #include "gyromode/models/model_kind.h"
 #include "gyromode/models/structure_mesh.h"
 
@@ -25,5 +26,19 @@ class StructureModel : public ModelKind {
   StructureParts parts_;
   SparseSystem system_;
 };
+
+/// The same of few coordinates, answered by the dense engine: all verbs that matrices at one spin have.
+class SmallStructureModel : public DelegatingModel {
+ public:
+  explicit SmallStructureModel(StructureParts parts);
+  StructureReport structure(std::optional<double> at) const override;
+
+ private:
+  StructureParts parts_;
+};
+
+/// The model of a mesh: dense up to 1000 coordinates where M is positive definite, else sparse. @throws LawBroken;
+/// TooLarge
+std::shared_ptr<const ModelKind> model_of_structure(StructureParts parts);
 
 }  // namespace gyromode

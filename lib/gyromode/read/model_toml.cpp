@@ -177,7 +177,7 @@ std::shared_ptr<const ModelKind> read_structure_model(const TomlTable& table, co
                                                       Digest& digest) {
   StructureParts p = read_structure(table, digest);
   spin = p.spin;
-  return std::make_shared<StructureModel>(std::move(p));
+  return model_of_structure(std::move(p));
 }
 
 // Every kind: its word in model files, and who reads it.
