@@ -44,7 +44,6 @@ class LinesOfFile {
     ++number_;
     return true;
   }
-  std::size_t number() const { return number_; }
   [[noreturn]] void fail(const std::string& what) const { throw Unreadable(path_, number_, 0, what); }
 
  private:
@@ -87,7 +86,7 @@ bool entry_of(std::string_view line, Entry& e) {
   p = past_blanks(r.ptr, end);
   const auto v = std::from_chars(p, end, e.value);
   if (v.ec == std::errc() && past_blanks(v.ptr, end) == end) return true;
-  const Parsed slow = parse_real(std::string_view(p, static_cast<std::size_t>(past_blanks(end, end) - p)));  // 1.0D+05
+  const Parsed slow = parse_real(std::string_view(p, static_cast<std::size_t>(end - p)));  // 1.0D+05
   e.value = slow.value;
   return slow.outcome == Parsed::ok;
 }

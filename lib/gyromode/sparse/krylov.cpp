@@ -1,8 +1,7 @@
 #include "gyromode/sparse/krylov.h"
 
 #include "gyromode/sparse/matrix.h"
-
-#include <Eigen/Eigenvalues>
+#include "gyromode/sparse/orthonormal.h"
 
 #include <cmath>
 
@@ -66,11 +65,8 @@ bool Krylov::orthonormalise(Matrix& state) const {
       const Matrix e = extended(s, rows);
       state -= e * (e.transpose() * state);
     }
-    const Eigen::SelfAdjointEigenSolver<Matrix> e(state.transpose() * state);
-    const Index m = e.eigenvalues().size(), kept = (e.eigenvalues().array() > least).count();
-    if (kept == 0) return false;
-    Matrix c = e.eigenvectors().rightCols(kept);
-    for (Index k = 0; k < kept; ++k) c.col(k) /= std::sqrt(e.eigenvalues()(m - kept + k));
+    const Matrix c = orthonormal_combinations(state.transpose() * state, least);
+    if (c.cols() == 0) return false;
     state = state * c;
   }
   return true;

@@ -1,36 +1,13 @@
 #include "gyromode/sparse/subspace.h"
 
 #include "gyromode/sparse/matrix.h"
+#include "gyromode/sparse/orthonormal.h"
 
-#include "gyromode/lapack/small.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 
 namespace gyromode::sparse {
-
-namespace {
-
-// Orthonormal combinations of the columns of x in the inner product whose Gram matrix is xᵀMx: x C, of those directions
-// that are above `least` of the largest.
-Matrix orthonormal_combinations(const Matrix& gram, double least) {
-  if (gram.rows() == 0) return Matrix(0, 0);
-  const Eigen::SelfAdjointEigenSolver<Matrix> e(0.5 * (gram + gram.transpose()));
-  std::vector<Index> kept;
-  for (Index k = e.eigenvalues().size(); k-- > 0;) {
-    if (e.eigenvalues()(k) > least) kept.push_back(k);
-  }
-  Matrix c(gram.rows(), static_cast<Index>(kept.size()));
-  for (Index k = 0; k < c.cols(); ++k) {
-    const Index from = kept[static_cast<std::size_t>(k)];
-    c.col(k) = e.eigenvectors().col(from) / std::sqrt(e.eigenvalues()(from));
-  }
-  return c;
-}
-
-}  // namespace
 
 Subspace::Subspace(const SparseSystem& system, const std::vector<bool>& across, bool partition) : system_(system), partition_(partition) {
   for (Index i = 0; i < system.size(); ++i) rows_[across[static_cast<std::size_t>(i)] ? 1 : 0].push_back(i);

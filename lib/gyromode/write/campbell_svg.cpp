@@ -95,9 +95,7 @@ std::string campbell_svg(const Model& model, const Campbell& c, const Layout& l)
 std::string critical_map_svg(const Model& model, const CriticalMap& map, const Layout& l) {
   const FrequencyUnit unit = l.spin_unit == FrequencyUnit::radians ? FrequencyUnit::rpm : l.spin_unit;
   double highest = 0;
-  std::size_t most = 0;
   for (const CriticalMap::Row& r : map.rows) {
-    most = std::max(most, r.speeds.speeds.size());
     for (const CriticalSpeed& s : r.speeds.speeds) highest = std::max(highest, s.speed);
   }
   const VariedParameter over(model, map.keys, l.unit);
