@@ -3,7 +3,6 @@
 #include "gyromode/sparse/matrix.h"
 #include "gyromode/sparse/orthonormal.h"
 
-
 #include <algorithm>
 #include <cmath>
 
