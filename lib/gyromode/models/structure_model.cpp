@@ -4,7 +4,7 @@
 #include "gyromode/models/family_parameters.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/sparse/partition.h"
-#include "gyromode/sparse/shifted.h"
+#include "gyromode/sparse/stiffness.h"
 
 #include <fmt/format.h>
 
@@ -70,8 +70,7 @@ StructureReport StructureModel::structure(std::optional<double> at) const {
   if (at) throw NotApplicable("--at writes H(ω) in full, which a large sparse model has no use for");
   StructureReport r;
   r.structure = sparse::analyse(system_);
-  sparse::ShiftedImpedance h(system_, r.structure);
-  r.stiffness.negative = h.negative_of_stiffness();
+  r.stiffness.negative = sparse::StiffnessFactors(system_, sparse::groups_of(r.structure, system_.size())).negative();
   r.checks = checks_of(parts_);
   const auto named = [&](const auto& number) {
     return NamedNumbers{

@@ -3,85 +3,68 @@
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
 #include "gyromode/modes/shape.h"
-#include "gyromode/sparse/matrix.h"
+#include "gyromode/sparse/inverse_iteration.h"
 #include "gyromode/sparse/partition.h"
+#include "gyromode/sparse/resting.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace gyromode {
 
 namespace {
 
+using sparse::converged;
 using sparse::RitzMode;
 using sparse::RitzUnstable;
 using sparse::Search;
 
-// The least |xᴴHx| over |x|ᵀ|H||x| that two steps of inverse iteration with the factored H find: how far from singular.
-double margin_of(const SparseSystem& s, sparse::ShiftedImpedance& h) {
-  if (h.singular()) return 0;
-  const Index n = s.size();
-  const double w = h.shift();
-  std::mt19937_64 bits(7);
-  ComplexMatrix x(n, 2);
-  for (Index k = 0; k < x.size(); ++k) x.data()[k] = std::ldexp(static_cast<double>(bits() >> 11), -52) - 1;
-  for (int step = 0; step < 3; ++step) {
-    x = h.solve(step == 0 ? x
-                          : ComplexMatrix(sparse::symmetric_times(s.mass(), x.real()).cast<Complex>() +
-                                          Complex(0, 1) * sparse::symmetric_times(s.mass(), x.imag())));
-    for (Index j = 0; j < x.cols(); ++j) {
-      if (!x.col(j).allFinite()) return 0;
-      x.col(j) /= x.col(j).norm();
-    }
-  }
-  double least = infinity;
-  for (Index j = 0; j < x.cols(); ++j) {
-    Matrix parts(n, 2);
-    parts << x.col(j).real(), x.col(j).imag();
-    const Matrix k = sparse::symmetric_times(s.stiffness(), parts), m = sparse::symmetric_times(s.mass(), parts),
-                 g = sparse::skew_times(s.gyroscopic(), parts);
-    const auto joined = [](const Matrix& a) { return ComplexVector(a.col(0) + Complex(0, 1) * a.col(1)); };
-    const ComplexVector hx = joined(k) - w * w * joined(m) + Complex(0, w) * joined(g);
-    least = std::min(
-        least, std::abs(x.col(j).dot(hx)) / (sparse::size_of(s.stiffness(), x.col(j)) + w * sparse::size_of(s.gyroscopic(), x.col(j)) +
-                                             w * w * sparse::size_of(s.mass(), x.col(j))));
-  }
-  return least;
+constexpr double worst_residual = 1e-10;  // of a root that is listed
+constexpr Index most_at_one_shift = 60;
+
+// Columns after which a search is given up: some thirty for every root, and what a bad start takes.
+Index most_applied(Index wanted) {
+  constexpr Index start = 1200, each = 30;
+  return start + each * wanted;
 }
 
-constexpr double worst_residual = 1e-10;    // of a root that is listed
-constexpr double singular = 1e3 * epsilon;  // of that margin (theory sparse §1)
+Index converged_in(const std::vector<Search::Expected>& inside) {
+  return std::count_if(inside.begin(), inside.end(), [](const auto& e) { return e.converged; });
+}
 
-// No root beyond what a Krylov space of this width holds is looked for at one shift.
-constexpr Index most_at_one_shift = 60;
-Index widest(Index wanted) { return 160 + 8 * wanted; }
+// Converged from one end on, without one between that has not.
+template <class Iterator>
+Index converged_from(Iterator first, Iterator last) {
+  return std::find_if(first, last, [](const auto& e) { return !e.converged; }) - first;
+}
+
+void keep_listable(std::vector<RitzMode>& modes) {  // what has not converged may be none
+  modes.erase(std::remove_if(modes.begin(), modes.end(), [](const RitzMode& m) { return !(m.residual <= worst_residual); }), modes.end());
+}
 
 }  // namespace
 
 SparseSpectrum::SparseSpectrum(const SparseSystem& system, const Progress& progress)
-    : system_(system), structure_(sparse::analyse(system)), norms_(sparse::norms_of(system)), impedance_(system, structure_) {
-  progress.stage("factorisation of K");
-  stiffness_negative_ = impedance_.factor(0);
-  if (!(margin_of(system_, impedance_) > singular))
+    : system_(system), structure_(sparse::analyse(system)), searches_((progress.stage("factorisation of K"), system), structure_) {
+  if (!(searches_.stiffness().margin() > sparse::singular_margin))
     throw NotApplicable(
         "K is singular to rounding: sparse models with rigid-body motions are not served yet; hold them, or add soft springs");
-  at_zero_ = std::make_unique<Search>(system_, impedance_, norms_, 0);
-  balance_.negative = stiffness_negative_;
+  balance_.negative = searches_.stiffness().negative();
   close_balance(progress);
 }
 
 // n₋(K) = k_r + 2k_c + 2k₋ with roots that were shown to exist.
 void SparseSpectrum::close_balance(const Progress& progress) {
-  balance_.closed = stiffness_negative_ == 0;
+  const Index negative = balance_.negative;
+  balance_.closed = negative == 0;
   if (balance_.closed) return;
   const auto take = [&](const Search::Found& f) {
     negative_.clear();
     unstable_.clear();
     for (const RitzMode& m : f.modes) {
-      if (m.energy_sign < 0 && Search::converged(m)) negative_.push_back(m);
+      if (m.energy_sign < 0 && converged(m)) negative_.push_back(m);
     }
     constexpr double shown = 10;
     for (const RitzUnstable& u : f.unstable) {
@@ -90,25 +73,41 @@ void SparseSpectrum::close_balance(const Progress& progress) {
     balance_.real_pairs = std::count_if(unstable_.begin(), unstable_.end(), [](const RitzUnstable& u) { return u.lambda.imag() == 0; });
     balance_.quadruples = static_cast<Index>(unstable_.size()) - balance_.real_pairs;
     balance_.negative_energy = static_cast<Index>(negative_.size());
-    balance_.closed = balance_.real_pairs + 2 * balance_.quadruples + 2 * balance_.negative_energy == stiffness_negative_;
+    balance_.closed = balance_.real_pairs + 2 * balance_.quadruples + 2 * balance_.negative_energy == negative;
     return balance_.closed;
   };
-  take(at_zero_->until(take, infinity, widest(stiffness_negative_), progress));
+  at_zero_ = searches_.about(0, negative + 8);
+  sparse::Goal goal;
+  goal.enough = [](const auto&) { return true; };
+  goal.accepted = take;
+  goal.missing = negative;
+  goal.most_applied = most_applied(negative);
+  take(search_for(*at_zero_, goal, progress));
 }
 
 std::string SparseSpectrum::open_reason() const {
-  return fmt::format("the index balance does not close: of n₋(K) = {} the motions found near ω = 0 make {}", stiffness_negative_,
+  return fmt::format("the index balance does not close: of n₋(K) = {} the motions found near ω = 0 make {}", balance_.negative,
                      balance_.real_pairs + 2 * balance_.quadruples + 2 * balance_.negative_energy);
 }
 
 Inertia SparseSpectrum::inertia_at(double omega) const {
+  Inertia i;
+  if (omega < known_below_) {  // between roots that are all there are
+    i.margin = 1;
+    for (const CountedRoot& r : lowest_) {
+      if (std::abs(r.omega - omega) <= r.error) i.margin = 0;
+      if (r.omega < omega) ++i.negative;
+    }
+    i.positive = system_.size() - i.negative;
+    return i;
+  }
   const auto known = counted_.find(omega);
   if (known != counted_.end()) return known->second;
-  at_zero_.reset();  // its factorisation makes room
-  Inertia i;
-  i.negative = impedance_.factor(omega);
+  at_zero_.reset();  // it makes room
+  const auto h = searches_.impedance(omega);
+  i.negative = h->negative;
   i.positive = system_.size() - i.negative;
-  i.margin = margin_of(system_, impedance_) > singular ? 1 : 0;
+  i.margin = h->margin > sparse::singular_margin ? 1 : 0;
   return counted_.emplace(omega, i).first->second;
 }
 
@@ -117,41 +116,91 @@ Index SparseSpectrum::missed_by_signs(const Window& range) const {
 }
 
 Index SparseSpectrum::expected_in(double a, double b) const {
-  const Index low = a > 0 ? inertia_at(a).negative : stiffness_negative_;
+  const Index low = a > 0 ? inertia_at(a).negative : negative_at_zero();
   return inertia_at(b).negative - low + missed_by_signs({a, b});
 }
 
 Index SparseSpectrum::below(double omega) const { return omega > 0 ? expected_in(0, omega) : 0; }
 
-// As many as are counted, all converged; wide windows in parts.
+double SparseSpectrum::middle_of(double a, double b) const {
+  constexpr int attempts = 8;
+  double middle = 0.5 * (a + b);
+  for (int k = 0; k < attempts && inertia_at(middle).doubtful(); ++k) middle += 0.013 * (b - a);
+  return middle;
+}
+
+SparseSpectrum::Modes SparseSpectrum::about(double sigma, double a, double b, Index expected, const Progress& progress) const {
+  const auto search = searches_.about(sigma, expected);
+  sparse::Goal goal;
+  goal.range = {a, b};
+  goal.enough = [&](const auto& inside) { return converged_in(inside) >= expected; };
+  goal.missing = expected;
+  goal.most_applied = most_applied(expected);
+  Modes all = search_for(*search, goal, progress).modes;
+  keep_listable(all);
+  return all;
+}
+
+// Each end, a factorisation there for the counts, finds the half next to it: below a cut between two roots those of the
+// lower end are taken, above it those of the upper.
+SparseSpectrum::Modes SparseSpectrum::from_both_ends(double a, double b, Index expected, const Progress& progress) const {
+  Modes low, high, all;
+  const auto joined = [&] {
+    std::vector<double> cuts{a, b};
+    for (const Modes* side : {&low, &high}) {
+      for (const RitzMode& m : *side) cuts.push_back(m.omega);
+    }
+    std::sort(cuts.begin(), cuts.end());
+    const auto below = [](double cut) { return [cut](const RitzMode& m) { return m.omega < cut; }; };
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+      constexpr double apart = 1e-9;
+      if (k > 0 && cuts[k + 1] - cuts[k] <= apart * cuts[k]) continue;
+      const double cut = k == 0 ? a : 0.5 * (cuts[k] + cuts[k + 1]);
+      const auto lower = std::partition_point(low.begin(), low.end(), below(cut)), upper = std::partition_point(high.begin(), high.end(), below(cut));
+      if ((lower - low.begin()) + (high.end() - upper) != expected) continue;
+      all.assign(low.begin(), lower);
+      all.insert(all.end(), upper, high.end());
+      return true;
+    }
+    return false;
+  };
+  constexpr Index beyond = 1;
+  Index wanted = (expected + 1) / 2 + beyond;
+  sparse::Goal goal;
+  goal.range = {a, b};
+  goal.missing = wanted;
+  goal.most_applied = most_applied(expected);
+  goal.enough = [&](const auto& inside) {
+    return converged_from(inside.begin(), inside.end()) >= wanted || converged_in(inside) >= expected;
+  };
+  low = search_for(*searches_.about(a, expected), goal, progress).modes;
+  keep_listable(low);
+  if (joined()) return all;
+  wanted = std::max<Index>(expected - static_cast<Index>(low.size()), 0) + beyond;
+  goal.missing = wanted;
+  goal.enough = [&](const auto& inside) {
+    return converged_from(inside.rbegin(), inside.rend()) >= wanted || converged_in(inside) >= expected;
+  };
+  high = search_for(*searches_.about(b, expected), goal, progress).modes;
+  keep_listable(high);
+  joined();
+  return all;
+}
+
+// Wide windows in parts; narrow ones from both ends, or from a shift of their own where that did not do.
 SparseSpectrum::Modes SparseSpectrum::between(double a, double b, Index expected, const Progress& progress) const {
   if (expected <= 0) return {};
   constexpr double narrowest = 1e-6;
   if (expected > most_at_one_shift && b - a > narrowest * b) {
-    double middle = 0.5 * (a + b);
-    for (int attempt = 0; inertia_at(middle).doubtful() && attempt < 8; ++attempt) middle += 0.01 * (b - a);
+    const double middle = middle_of(a, b);
     Modes all = between(a, middle, expected_in(a, middle), progress);
     for (RitzMode& m : between(middle, b, expected_in(middle, b), progress)) all.push_back(std::move(m));
     return all;
   }
-  const auto inside = [&](const RitzMode& m) { return m.omega >= a && m.omega < b; };
-  const auto enough = [&](const Search::Found& f) {
-    return std::count_if(f.modes.begin(), f.modes.end(), [&](const RitzMode& m) { return inside(m) && Search::converged(m); }) >= expected;
-  };
-  progress.stage("factorisation at the shift");
-  double sigma = a > 0 ? 0.5 * (a + b) : 0;
-  for (int attempt = 0; attempt < 8; ++attempt) {  // one on a mode is moved
-    impedance_.factor(sigma);
-    if (sigma == 0 || margin_of(system_, impedance_) > singular) break;
-    sigma += 0.013 * (b - a);
-  }
-  Search search(system_, impedance_, norms_, sigma);
-  Search::Found f = search.until(enough, b, widest(expected), progress);
-  Modes all;
-  for (RitzMode& m : f.modes) {  // what has not converged may be none
-    if (inside(m) && m.residual <= worst_residual) all.push_back(std::move(m));
-  }
-  return all;
+  Modes all = a > 0 ? from_both_ends(a, b, expected, progress) : about(0, a, b, expected, progress);
+  if (static_cast<Index>(all.size()) == expected) return all;
+  Modes other = about(middle_of(a, b), a, b, expected, progress);
+  return other.size() > all.size() ? other : all;
 }
 
 RootRange SparseSpectrum::roots(const Window& range, const Progress& progress) const {
@@ -159,31 +208,63 @@ RootRange SparseSpectrum::roots(const Window& range, const Progress& progress) c
   return range_of(between(range.a, range.b, expected_in(range.a, range.b), progress));
 }
 
-// Until that many and two more have converged about K; the gap after them is counted by the caller.
-std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window& range, const Progress& progress) const {
-  if (range.a > 0 || count > most_at_one_shift) return std::nullopt;
-  if (!at_zero_) at_zero_ = std::make_unique<Search>(system_, impedance_, norms_, 0);
-  const auto enough = [&](const Search::Found& f) {
-    constexpr Index more = 2;
-    Index good = 0;
-    for (const RitzMode& m : f.modes) {
-      if (!Search::converged(m)) break;
-      ++good;
-    }
-    return good >= count + more;
-  };
-  Search::Found f = at_zero_->until(enough, range.b, widest(count), progress);
-  Modes all;
-  for (RitzMode& m : f.modes) {
-    if (!Search::converged(m)) break;  // beyond, some may be missing
-    all.push_back(std::move(m));
+bool SparseSpectrum::close_at_rest(const Modes& lowest, Index wanted, const Vector& resting, const Progress& progress) const {
+  if (balance_.negative > 0 || !system_.gyroscopic_bound()) return false;
+  const double gamma = *system_.gyroscopic_bound();
+  // At the widest gap where as many modes at rest are expected below as there are modes.
+  double best = 0, sigma = 0;
+  Index below = 0;
+  for (std::size_t k = static_cast<std::size_t>(wanted); k < lowest.size(); ++k) {
+    const double from = lowest[k - 1].omega, to = lowest[k].omega, low = from * (from + gamma), high = to * to;
+    // μ = σ² + γσ between the modes at rest: none of K − μM is to change its sign before the next one at rest.
+    const Index at_rest = std::count_if(resting.begin(), resting.end(), [&](double square) { return square < low; });
+    if (at_rest > static_cast<Index>(k)) continue;
+    const double next = static_cast<Index>(k) < resting.size() ? resting(static_cast<Index>(k)) : high;
+    const double gap = (next - low) / low;
+    if (gap <= best) continue;
+    best = gap;
+    below = static_cast<Index>(k);
+    constexpr double inside = 0.05;
+    sigma = from + inside * std::min(to - from, (std::sqrt(next + 0.25 * gamma * gamma) - 0.5 * gamma) - from);
   }
-  return range_of(std::move(all));
+  if (below == 0) return false;
+  progress.stage("counts of the modes at rest");
+  if (sparse::negative_at_rest(system_, searches_.groups(), sigma * (sigma + gamma)) != below) return false;
+  known_below_ = sigma;
+  lowest_.clear();
+  for (Index k = 0; k < below; ++k) {
+    const RitzMode& m = lowest[static_cast<std::size_t>(k)];
+    lowest_.push_back({m.omega, std::max(m.error_bound, 4 * epsilon * m.omega), m.energy_sign, false, false, ""});
+  }
+  return true;
 }
 
-RootRange SparseSpectrum::range_of(Modes modes) const {
+// Until that many and some more have converged about K; what is below the gap after them is counted there.
+std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window& range, const Progress& progress) const {
+  if (range.a > 0 || count > most_at_one_shift) return std::nullopt;
+  constexpr Index more = 4;
+  if (!at_zero_) at_zero_ = searches_.about(0, count + more);
+  sparse::Goal goal;
+  goal.range = {0, range.b};
+  goal.missing = count + more;
+  goal.most_applied = most_applied(count);
+  goal.enough = [&](const auto& inside) { return converged_from(inside.begin(), inside.end()) >= count + more; };
+  Index good = 0;
+  goal.accepted = [&](const Search::Found& f) {
+    good = std::find_if(f.modes.begin(), f.modes.end(), [](const RitzMode& m) { return !converged(m); }) - f.modes.begin();
+    return good >= count + more;
+  };
+  Search::Found f = search_for(*at_zero_, goal, progress);
+  goal.accepted(f);
+  f.modes.resize(static_cast<std::size_t>(good));  // beyond, some may be missing
+  close_at_rest(f.modes, count, f.resting, progress);
+  return range_of(std::move(f.modes));
+}
+
+RootRange SparseSpectrum::range_of(Modes modes, double known_below) const {
   const auto kept = std::make_shared<const Modes>(std::move(modes));
   RootRange r;
+  r.known_below = known_below;
   for (std::size_t k = 0; k < kept->size(); ++k) {
     const RitzMode& m = (*kept)[k];
     r.roots.push_back({m.omega, std::max(m.error_bound, 4 * epsilon * m.omega), m.energy_sign, false, false, ""});
@@ -207,9 +288,9 @@ Mode SparseSpectrum::mode_of(const RitzMode& m, bool with_shape) const {
 
 void SparseSpectrum::describe(ModesResult& r, bool with_shapes) const {
   r.structure = structure_;
-  r.stiffness = {stiffness_negative_, 0};
-  r.solver = fmt::format("sparse: block Krylov about K and shifts, projected; counts by LDLᵀ of {} (MUMPS)",
-                         impedance_.quadrature() ? "H*, real of order n" : "H(ω) in real arithmetic of order 2n");
+  r.stiffness = {balance_.negative, 0};
+  r.solver = fmt::format("sparse: {}; counts by LDLᵀ of {} (MUMPS)", searches_.in_words(),
+                         searches_.groups().partition ? "H*, real of order n" : "H(ω) in real arithmetic of order 2n");
   r.opposite_gap = infinity;
   r.stability = !balance_.closed     ? Stability::unknown
                 : !unstable_.empty() ? Stability::unstable

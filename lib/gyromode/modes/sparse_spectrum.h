@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gyromode/sparse/search.h"
+#include "gyromode/sparse/searches.h"
 #include "gyromode/spectrum/counted_spectrum.h"
 
 #include <map>
@@ -27,7 +27,7 @@ class SparseSpectrum : public CountedSpectrum {
   Index missed_by_signs(const Window& range) const override;
   Index zero_roots() const override { return 0; }
   Inertia inertia_at(double omega) const override;
-  Index negative_at_zero() const override { return stiffness_negative_; }
+  Index negative_at_zero() const override { return searches_.stiffness().negative(); }
   IndexBalance balance() const override { return balance_; }
   std::string open_reason() const override;
   bool isolated() const override { return true; }
@@ -36,18 +36,25 @@ class SparseSpectrum : public CountedSpectrum {
  private:
   using Modes = std::vector<sparse::RitzMode>;
   void close_balance(const Progress& progress);
+  /// As many modes of [a, b) as are counted there, `expected`, or those that were found.
   Modes between(double a, double b, Index expected, const Progress& progress) const;
+  Modes from_both_ends(double a, double b, Index expected, const Progress& progress) const;
+  Modes about(double sigma, double a, double b, Index expected, const Progress& progress) const;
   Index expected_in(double a, double b) const;
-  RootRange range_of(Modes modes) const;
+  double middle_of(double a, double b) const;
+  /// A count below which those modes, the lowest, are all there are, of the modes at rest (theory T17): from it on
+  /// down inertia_at() needs no factorisation. False where it does not close.
+  bool close_at_rest(const Modes& lowest, Index wanted, const Vector& resting, const Progress& progress) const;
+  RootRange range_of(Modes modes, double known_below = infinity) const;
   Mode mode_of(const sparse::RitzMode& m, bool with_shape) const;
 
   const SparseSystem& system_;
   Structure structure_;
-  sparse::Norms norms_;
-  mutable sparse::ShiftedImpedance impedance_;
+  sparse::Searches searches_;
   mutable std::map<double, Inertia> counted_;
   mutable std::unique_ptr<sparse::Search> at_zero_;
-  Index stiffness_negative_ = 0;
+  mutable double known_below_ = 0;  // all roots below that are in lowest_
+  mutable std::vector<CountedRoot> lowest_;
   IndexBalance balance_;
   Modes negative_;
   std::vector<sparse::RitzUnstable> unstable_;

@@ -38,10 +38,10 @@ bool wants_more_workspace(int status) {
 
 }  // namespace
 
-SymmetricFactor::SymmetricFactor(const SparseMatrix& pattern, const std::vector<int>& order, Keep keep)
+SymmetricFactor::SymmetricFactor(const SparseMatrix& pattern, const std::vector<int>& order, Keep keep, Kind kind)
     : of_(std::make_unique<Instance>()), keep_(keep), size_(pattern.cols()), non_zeros_(pattern.nonZeros()) {
   Instance& m = *of_;
-  m.mumps.sym = 2;
+  m.mumps.sym = kind == Kind::definite ? 1 : 2;
   m.mumps.par = 1;
   m.mumps.comm_fortran = -987654;  // MPI_COMM_WORLD
   m.run(begin);

@@ -16,9 +16,15 @@ class SymmetricFactor {
     counts    ///< the signs of the pivots alone, in a fraction of the memory
   };
 
+  /// What may be expected of the matrices.
+  enum class Kind {
+    indefinite,  ///< pivots are chosen, of order 1 and 2
+    definite     ///< no pivoting: faster; where the number of negative pivots is not 0 it is no more than a sign of that
+  };
+
   /// `pattern` by its lower triangle; `order` as node_order() gives it. @throws TooLarge where there is not enough
   /// memory
-  SymmetricFactor(const SparseMatrix& pattern, const std::vector<int>& order, Keep keep);
+  SymmetricFactor(const SparseMatrix& pattern, const std::vector<int>& order, Keep keep, Kind kind = Kind::indefinite);
   ~SymmetricFactor();
   SymmetricFactor(const SymmetricFactor&) = delete;
   SymmetricFactor& operator=(const SymmetricFactor&) = delete;

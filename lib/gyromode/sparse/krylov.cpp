@@ -18,24 +18,34 @@ double typical(const SparseSystem& s, const Matrix& x) {
 
 }  // namespace
 
-Krylov::Krylov(const SparseSystem& system, ShiftedImpedance& impedance, Subspace& subspace, const Matrix& start)
-    : system_(system), impedance_(impedance), v_(subspace) {
-  // With a partition the first states move in phase and have velocities in quadrature: what follows keeps to that.
-  const double sigma = impedance.shift();
-  const ComplexMatrix r = (-symmetric_times(system.mass(), start)).cast<Complex>();
-  const ComplexMatrix q = impedance.solve(r);
-  scale_ = sigma > 0 ? sigma : 1;
-  Matrix x = q.real();
-  if (impedance.quadrature()) {
-    for (Index i = 0; i < x.rows(); ++i) {
-      if (impedance.in_quadrature()[static_cast<std::size_t>(i)]) x.row(i).setZero();
-    }
+// With a partition the first states move in phase and have velocities in quadrature: what follows keeps to that.
+void Krylov::start(const Matrix& shapes) {
+  const ComplexMatrix r = (-symmetric_times(system_.mass(), shapes)).cast<Complex>();
+  Matrix x = resolvent_.solve(r).real();
+  if (groups_.partition) {
+    for (const Index i : groups_.rows[1]) x.row(i).setZero();
   }
-  if (sigma == 0) scale_ = typical(system, x);
-  for (Index j = 0; j < x.cols(); ++j) x.col(j) /= x.col(j).norm();
+  if (scale_ == 0) scale_ = resolvent_.shift > 0 ? resolvent_.shift : typical(system_, x);
+  for (Index j = 0; j < x.cols(); ++j) {
+    const double size = x.col(j).norm();
+    if (size > 0) x.col(j) /= size;
+  }
   const Matrix c = v_.add(x);
   Matrix state = stacked(c, Matrix::Zero(c.rows(), c.cols()));
-  if (orthonormalise(state)) states_.push_back(std::move(state));
+  ended_ = !orthonormalise(state);
+  if (!ended_) states_.push_back(std::move(state));
+}
+
+void Krylov::restart(const Matrix& displacement, const Matrix& velocity) {
+  states_.clear();
+  ended_ = true;
+  if (displacement.cols() == 0) return;
+  Matrix both(displacement.rows(), 2 * displacement.cols());
+  both << displacement, velocity;
+  const Matrix c = v_.add(both);
+  Matrix state = stacked(c.leftCols(displacement.cols()), c.rightCols(displacement.cols()));
+  ended_ = !orthonormalise(state);
+  if (!ended_) states_.push_back(std::move(state));
 }
 
 Matrix Krylov::stacked(const Matrix& q, const Matrix& v) const {
@@ -73,12 +83,12 @@ bool Krylov::orthonormalise(Matrix& state) const {
 }
 
 bool Krylov::step() {
-  if (states_.empty()) return false;
+  if (ended_ || states_.empty()) return false;
   const Matrix last = extended(states_.back(), v_.size()), f1 = displacement(last), f2 = velocity(last);
   const Matrix m1 = v_.mass_times(f1), m2 = v_.mass_times(f2), g1 = skew_times(system_.gyroscopic(), v_.combined(f1));
-  const double sigma = impedance_.shift();
+  const double sigma = resolvent_.shift;
   const Complex j(0, 1);
-  const ComplexMatrix q = impedance_.solve(ComplexMatrix(-(m2 + g1).cast<Complex>() - (j * sigma) * m1));
+  const ComplexMatrix q = resolvent_.solve(ComplexMatrix(-(m2 + g1).cast<Complex>() - (j * sigma) * m1));
   Matrix state;
   if (sigma > 0) {
     Matrix both(q.rows(), 2 * q.cols());
@@ -91,7 +101,8 @@ bool Krylov::step() {
     velocities.topRows(f1.rows()) = f1;
     state = stacked(c, velocities);
   }
-  if (!orthonormalise(state)) return false;
+  ended_ = !orthonormalise(state);
+  if (ended_) return false;
   states_.push_back(std::move(state));
   return true;
 }

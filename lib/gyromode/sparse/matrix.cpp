@@ -27,6 +27,16 @@ Matrix times(const SparseMatrix& lower, const Matrix& x, double sign) {
 Matrix symmetric_times(const SparseMatrix& lower, const Matrix& x) { return times(lower, x, 1); }
 Matrix skew_times(const SparseMatrix& below, const Matrix& x) { return times(below, x, -1); }
 
+double size_of(const SparseMatrix& lower, const Vector& moduli) {
+  double sum = 0;
+  for (Index j = 0; j < lower.outerSize(); ++j) {
+    double column = 0;
+    for (SparseMatrix::InnerIterator it(lower, j); it; ++it) column += (it.row() == j ? 1 : 2) * std::abs(it.value()) * moduli(it.row());
+    sum += column * moduli(j);
+  }
+  return sum;
+}
+
 double norm1(const SparseMatrix& lower) {
   Vector sums = Vector::Zero(lower.cols());
   for (Index j = 0; j < lower.outerSize(); ++j) {

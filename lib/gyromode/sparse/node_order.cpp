@@ -16,20 +16,21 @@ struct Graph {
   std::vector<idx_t> first, neighbour;
 };
 
-Graph graph_of(const SparseMatrix& pattern, const std::vector<int>& node, int nodes) {
+Graph graph_of(const std::vector<const SparseMatrix*>& patterns, const std::vector<int>& node, int nodes) {
   std::vector<std::pair<int, int>> edges;
-  edges.reserve(static_cast<std::size_t>(pattern.nonZeros()) / 4);
-  for (Index j = 0; j < pattern.outerSize(); ++j) {
-    const int b = node[static_cast<std::size_t>(j)];
-    int last = b;
-    for (SparseMatrix::InnerIterator it(pattern, j); it; ++it) {
-      const int a = node[static_cast<std::size_t>(it.row())];
-      if (a != b && a != last) edges.emplace_back(std::min(a, b), std::max(a, b));
-      last = a;
+  for (const SparseMatrix* pattern : patterns) {
+    for (Index j = 0; j < pattern->outerSize(); ++j) {
+      const int b = node[static_cast<std::size_t>(j)];
+      int last = b;
+      for (SparseMatrix::InnerIterator it(*pattern, j); it; ++it) {
+        const int a = node[static_cast<std::size_t>(it.row())];
+        if (a != b && a != last) edges.emplace_back(std::min(a, b), std::max(a, b));
+        last = a;
+      }
     }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   Graph g;
   g.first.assign(static_cast<std::size_t>(nodes) + 1, 0);
   for (const auto& [a, b] : edges) {
@@ -48,9 +49,9 @@ Graph graph_of(const SparseMatrix& pattern, const std::vector<int>& node, int no
 
 }  // namespace
 
-std::vector<int> node_order(const SparseMatrix& pattern, const std::vector<int>& node) {
+std::vector<int> node_places(const std::vector<const SparseMatrix*>& patterns, const std::vector<int>& node) {
   const int nodes = node.empty() ? 0 : 1 + *std::max_element(node.begin(), node.end());
-  Graph g = graph_of(pattern, node, nodes);
+  Graph g = graph_of(patterns, node, nodes);
   std::vector<idx_t> permutation(static_cast<std::size_t>(nodes)), place(permutation.size());
   std::iota(place.begin(), place.end(), idx_t{0});
   if (!g.neighbour.empty()) {
@@ -60,22 +61,17 @@ std::vector<int> node_order(const SparseMatrix& pattern, const std::vector<int>&
     if (METIS_NodeND(&count, g.first.data(), g.neighbour.data(), nullptr, options, permutation.data(), place.data()) != METIS_OK)
       throw TooLarge("METIS could not order the graph of the mesh: there is not enough memory");
   }
-  // Coordinates by the place of their node, in their own order within it.
+  return {place.begin(), place.end()};
+}
+
+std::vector<int> coordinate_order(const std::vector<int>& places, const std::vector<int>& node) {
+  const auto place = [&](int coordinate) { return places[static_cast<std::size_t>(node[static_cast<std::size_t>(coordinate)])]; };
   std::vector<int> by_place(node.size());
   std::iota(by_place.begin(), by_place.end(), 0);
-  std::stable_sort(by_place.begin(), by_place.end(), [&](int a, int b) {
-    return place[static_cast<std::size_t>(node[static_cast<std::size_t>(a)])] <
-           place[static_cast<std::size_t>(node[static_cast<std::size_t>(b)])];
-  });
+  std::stable_sort(by_place.begin(), by_place.end(), [&](int a, int b) { return place(a) < place(b); });
   std::vector<int> order(node.size());
   for (std::size_t k = 0; k < by_place.size(); ++k) order[static_cast<std::size_t>(by_place[k])] = static_cast<int>(k);
   return order;
-}
-
-std::vector<int> node_order(const SparseMatrix& pattern) {
-  std::vector<int> own(static_cast<std::size_t>(pattern.cols()));
-  std::iota(own.begin(), own.end(), 0);
-  return node_order(pattern, own);
 }
 
 }  // namespace gyromode::sparse

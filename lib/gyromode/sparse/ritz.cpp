@@ -2,7 +2,10 @@
 
 #include "gyromode/sparse/matrix.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/dense/solve.h"
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -87,6 +90,41 @@ std::vector<RitzMode> measured(const SparseSystem& s, const Norms& norms, const 
     const double rho = std::sqrt(r.cwiseAbs2().cwiseProduct(inverse_mass).sum() * std::real(mode.shape.dot(mass))) / std::abs(mode.form);
     mode.error_bound = std::min(rho, rho * rho / gap_to_others(pairs.omega, chosen[static_cast<std::size_t>(k)], 4 * rho));
     all.push_back(std::move(mode));
+  }
+  return all;
+}
+
+MeasuredRoots measured_in(const SparseSystem& s, const Norms& norms, const Subspace& v, const Window& range) {
+  constexpr double rounding = 4 * epsilon;
+  MeasuredRoots all;
+  if (v.size() == 0) return all;
+  const RitzPairs pairs = ritz_pairs(v);
+  std::vector<Index> chosen;
+  for (Index k = 0; k < pairs.omega.size(); ++k) {
+    if (range.contains(pairs.omega(k))) chosen.push_back(k);
+  }
+  all.modes = measured(s, norms, v, pairs, chosen);
+  all.resting = Eigen::SelfAdjointEigenSolver<Matrix>(v.stiffness(), Eigen::EigenvaluesOnly).eigenvalues();
+  for (RitzMode& m : all.modes) {
+    const double w = m.omega;
+    const Vector x = m.shape.cwiseAbs();
+    m.error_bound +=
+        rounding * (size_of(s.stiffness(), x) + w * size_of(s.gyroscopic(), x) + w * w * size_of(s.mass(), x)) / std::abs(m.form);
+  }
+  for (Index k = 0; range.a == 0 && k < pairs.unstable.count(); ++k) {
+    const Complex lambda = pairs.unstable.lambda[static_cast<std::size_t>(k)];
+    const ComplexVector c = pairs.unstable.right.col(k), d = pairs.unstable.left.col(k);
+    Matrix parts(c.size(), 4);
+    parts << c.real(), c.imag(), d.real(), d.imag();
+    const Matrix x = v.combined(parts), mx = v.mass_times(parts), kx = symmetric_times(s.stiffness(), x),
+                 gx = skew_times(s.gyroscopic(), x);
+    const auto joined = [](const Matrix& a, Index at) { return ComplexVector(a.col(at) + Complex(0, 1) * a.col(at + 1)); };
+    const ComplexVector shape = joined(x, 0), left = joined(x, 2);
+    const ComplexVector r = joined(kx, 0) + lambda * joined(gx, 0) + lambda * lambda * joined(mx, 0);
+    const double size = std::abs(lambda);
+    const Complex slope = left.dot(2.0 * lambda * joined(mx, 0) + joined(gx, 0));
+    all.unstable.push_back({lambda, r.norm() / ((norms.k + size * norms.g + size * size * norms.m) * shape.norm()),
+                            r.norm() * left.norm() / std::abs(slope), shape});
   }
   return all;
 }

@@ -2,6 +2,7 @@
 
 #include "gyromode/sparse/subspace.h"
 #include "gyromode/spectrum/spectrum.h"
+#include "gyromode/spectrum/window.h"
 
 #include <vector>
 
@@ -17,6 +18,14 @@ struct RitzMode {
   ComplexVector shape;     ///< X
 };
 
+/// A growing motion as a subspace knows it.
+struct RitzUnstable {
+  Complex lambda;
+  double residual = 0;     ///< ‖N(λ)X‖₂ / ((‖K‖ + |λ|‖G‖ + |λ|²‖M‖)‖X‖₂)
+  double error_bound = 0;  ///< on |δλ|, to first order
+  ComplexVector shape;
+};
+
 /// What the projected system says of a subspace: its roots, ascending, and growing motions.
 struct RitzPairs {
   Vector omega;                ///< undamped roots, ascending
@@ -30,6 +39,15 @@ struct Norms {
   double k = 0, g = 0, m = 0;
 };
 Norms norms_of(const SparseSystem& system);
+
+/// Roots and growing motions, measured on the matrices.
+struct MeasuredRoots {
+  std::vector<RitzMode> modes;         ///< of a range, ascending
+  std::vector<RitzUnstable> unstable;  ///< all that the subspace holds, where the range begins at 0
+  Vector resting;                      ///< ω² of K and M alone in the subspace, ascending: not below the true ones
+};
+/// With what rounding of the matrices does to an error.
+MeasuredRoots measured_in(const SparseSystem& system, const Norms& norms, const Subspace& v, const Window& range);
 
 /// Residual, form and error of the roots `chosen`.
 std::vector<RitzMode> measured(const SparseSystem& system, const Norms& norms, const Subspace& v, const RitzPairs& pairs,

@@ -1,52 +1,52 @@
 #pragma once
 
 #include "gyromode/base/progress.h"
-#include "gyromode/sparse/krylov.h"
 #include "gyromode/sparse/ritz.h"
 #include "gyromode/spectrum/window.h"
 
 #include <functional>
-#include <memory>
 #include <vector>
 
 namespace gyromode::sparse {
 
-/// A growing motion as a search leaves it.
-struct RitzUnstable {
-  Complex lambda;
-  double residual = 0;     ///< ‖N(λ)X‖₂ / ((‖K‖ + |λ|‖G‖ + |λ|²‖M‖)‖X‖₂)
-  double error_bound = 0;  ///< on |δλ|, to first order
-  ComplexVector shape;
-};
-
-/// |X|ᵀ|A||X| of a (skew-)symmetric A by its lower triangle: what rounding of its entries is relative to.
-double size_of(const SparseMatrix& lower, const ComplexVector& x);
-
-/// Modes of a sparse system about one shift: a Krylov space that grows until what is wanted of it has converged.
+/// Roots about a shift, by a space that grows.
 class Search {
  public:
-  /// At σ ≥ 0; 0: about K, which must be regular.
-  Search(const SparseSystem& system, ShiftedImpedance& impedance, const Norms& norms, double sigma);
+  virtual ~Search() = default;
 
-  /// What is known by now.
-  struct Found {
-    std::vector<RitzMode> modes;         ///< ascending, those below the bound asked for
-    std::vector<RitzUnstable> unstable;  ///< all that the space holds
+  /// A root as the space knows it by now, before it is measured.
+  struct Expected {
+    double omega = 0;
+    bool converged = false;
   };
-  /// Grows until `enough` says so of what is found below `below`, or the space is `largest` wide, or nothing new comes.
-  Found until(const std::function<bool(const Found&)>& enough, double below, Index largest, const Progress& progress);
+  using Found = MeasuredRoots;
 
-  Index negative_at_shift() const { return negative_; }  ///< n₋(H(σ))
-  static bool converged(const RitzMode& m);
-
- private:
-  Found found(double below) const;
-
-  const SparseSystem& system_;
-  Norms norms_;
-  Index negative_ = 0;
-  std::unique_ptr<Subspace> v_;
-  std::unique_ptr<Krylov> krylov_;
+  /// One block more. @returns false where nothing new comes
+  virtual bool step() = 0;
+  /// Goes on from `width` shapes that have nothing to do with those before.
+  virtual void refresh(Index width) = 0;
+  /// Asks a tenth of what it asked of a root that has converged.
+  virtual void tighten() = 0;
+  virtual std::vector<Expected> look() const = 0;  ///< ascending
+  virtual Found found(const Window& range) const = 0;
+  virtual Index applied() const = 0;  ///< columns solved for
 };
+
+/// Whether a root that was measured is one: its residual, a tenth of what is asked of a result.
+bool converged(const RitzMode& m);
+
+/// What a search is made to find, and when it gives up.
+struct Goal {
+  Window range;                                                             ///< the roots wanted
+  std::function<bool(const std::vector<Search::Expected>& inside)> enough;  ///< of those of the range
+  std::function<bool(const Search::Found&)> accepted;                       ///< of what was measured; null: all in range have converged
+  Index missing = 0;                                                        ///< about how many there are
+  Index most_applied = 0;                                                   ///< columns
+};
+
+/// Grows the space until there is enough and it is accepted, or nothing new comes, or work has come to its end. Where
+/// all in range has converged and more must be there, it goes on from new shapes: roots of one frequency may be more
+/// than a block has columns. @throws Interrupted
+Search::Found search_for(Search& search, const Goal& goal, const Progress& progress);
 
 }  // namespace gyromode::sparse

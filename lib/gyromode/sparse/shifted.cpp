@@ -1,5 +1,6 @@
 #include "gyromode/sparse/shifted.h"
 
+#include "gyromode/sparse/inverse_iteration.h"
 #include "gyromode/sparse/node_order.h"
 
 #include <algorithm>
@@ -27,15 +28,15 @@ std::size_t place_in(const SparseMatrix& a, Index i, Index j) {
 
 }  // namespace
 
-ShiftedImpedance::ShiftedImpedance(const SparseSystem& s, const Structure& structure)
-    : system_(s), quadrature_(structure.system_class() == SystemClass::quadrature), across_(static_cast<std::size_t>(s.size()), false) {
-  const Index n = s.size(), order = quadrature_ ? n : 2 * n;
-  if (quadrature_) {
-    for (const Index i : structure.in_quadrature()) across_[static_cast<std::size_t>(i)] = true;
-  }
-  Triplets entries;
+ShiftedImpedance::ShiftedImpedance(const SparseSystem& system, const Groups& groups) : system_(system), groups_(groups) {}
+
+void ShiftedImpedance::build() const {
+  const SparseSystem& s = system_;
+  const bool partition = groups_.partition;
+  const Index n = s.size(), order = partition ? n : 2 * n;
+  Triplets entries, mass;
   for (const Index offset : {Index{0}, n}) {
-    if (offset > 0 && quadrature_) break;
+    if (offset > 0 && partition) break;
     add_pattern(s.stiffness(), offset, offset, entries);
     add_pattern(s.mass(), offset, offset, entries);
   }
@@ -44,11 +45,11 @@ ShiftedImpedance::ShiftedImpedance(const SparseSystem& s, const Structure& struc
       for (SparseMatrix::InnerIterator it(s.gyroscopic(), j); it; ++it) {
         if (it.value() == 0) continue;
         const Index i = it.row();
-        if (!quadrature_) {  // jωG: the block below is ωG, all of it
+        if (!partition) {  // jωG: the block below is ωG, all of it
           see(n + i, j, it.value());
           see(n + j, i, -it.value());
         } else {
-          see(i, j, across_[static_cast<std::size_t>(i)] ? -it.value() : it.value());
+          see(i, j, groups_.across[static_cast<std::size_t>(i)] ? -it.value() : it.value());
         }
       }
     }
@@ -59,74 +60,81 @@ ShiftedImpedance::ShiftedImpedance(const SparseSystem& s, const Structure& struc
   Triplets().swap(entries);
   k_.assign(static_cast<std::size_t>(pattern_.nonZeros()), 0);
   m_ = g_ = k_;
+  metric_ = pattern_;
   for (const Index offset : {Index{0}, n}) {
-    if (offset > 0 && quadrature_) break;
+    if (offset > 0 && partition) break;
     for (const auto& [a, values] : {std::pair(&s.stiffness(), &k_), {&s.mass(), &m_}}) {
       for (Index j = 0; j < n; ++j) {
         for (SparseMatrix::InnerIterator it(*a, j); it; ++it) (*values)[place_in(pattern_, it.row() + offset, j + offset)] += it.value();
       }
     }
   }
+  std::copy(m_.begin(), m_.end(), metric_.valuePtr());
+  metric_.prune(0.0);
   each_g([&](Index i, Index j, double value) { g_[place_in(pattern_, i, j)] += value; });
   std::vector<int> node = s.node();
-  if (!quadrature_) node.insert(node.end(), s.node().begin(), s.node().end());
-  order_ = node_order(pattern_, node);
+  if (!partition) node.insert(node.end(), s.node().begin(), s.node().end());
+  order_ = coordinate_order(s.places(), node);
 }
 
-SparseMatrix ShiftedImpedance::at(double omega) const {
+SparseMatrix ShiftedImpedance::values_at(double omega) const {
   SparseMatrix h = pattern_;
   double* values = h.valuePtr();
   for (std::size_t e = 0; e < k_.size(); ++e) values[e] = k_[e] - omega * omega * m_[e] + omega * g_[e];
   return h;
 }
 
-Index ShiftedImpedance::negative_at(double omega) const {
-  if (!counter_) counter_ = std::make_unique<SymmetricFactor>(pattern_, order_, SymmetricFactor::Keep::counts);
-  const Index negative = counter_->factor(at(omega));
-  return quadrature_ ? negative : negative / 2;
+// A factorisation that nobody holds any more is written over: its analysis is that of the pattern.
+std::shared_ptr<const ShiftedFactor> ShiftedImpedance::at(double sigma) const {
+  if (order_.empty()) build();
+  for (const auto& f : kept_) {
+    if (f->shift == sigma) return f;
+  }
+  constexpr std::size_t most = 2;
+  auto made = std::make_shared<ShiftedFactor>();
+  if (kept_.size() == most) {
+    const auto oldest = std::move(kept_.front());
+    kept_.erase(kept_.begin());
+    if (oldest.use_count() == 1) made->factor_ = oldest->factor_;
+  }
+  if (!made->factor_) made->factor_ = std::make_shared<SymmetricFactor>(pattern_, order_, SymmetricFactor::Keep::factors);
+  SymmetricFactor& factor = *made->factor_;
+  made->groups_ = &groups_;
+  made->shift = sigma;
+  const SparseMatrix h = values_at(sigma);
+  const Index negative = factor.factor(h);
+  made->negative = groups_.partition ? negative : negative / 2;
+  made->margin = factor.singular() ? 0 : least_form([&](Matrix x) { return factor.solve(std::move(x)); }, h, metric_);
+  kept_.push_back(made);
+  return made;
 }
 
-Index ShiftedImpedance::negative_of_stiffness() const { return negative_at(0); }
-
-Index ShiftedImpedance::factor(double sigma) {
-  if (!solver_) solver_ = std::make_unique<SymmetricFactor>(pattern_, order_, SymmetricFactor::Keep::factors);
-  if (negative_ && sigma_ == sigma) return *negative_;
-  sigma_ = sigma;
-  const Index negative = solver_->factor(at(sigma));
-  negative_ = quadrature_ ? negative : negative / 2;
-  return *negative_;
-}
-
-double ShiftedImpedance::megabytes() const { return solver_ ? solver_->megabytes() : 0; }
+Matrix ShiftedFactor::solve_star(const Matrix& r) const { return factor_->solve(r); }
 
 // H = T H* T⁻¹, T⁻¹ = diag(1, j); or the real and the imaginary part, one below the other.
-ComplexMatrix ShiftedImpedance::solve(const ComplexMatrix& r) {
+ComplexMatrix ShiftedFactor::solve(const ComplexMatrix& r) const {
   const Index n = r.rows(), m = r.cols();
   const Complex j(0, 1);
-  if (!quadrature_) {
+  if (!groups_->partition) {
     Matrix both(2 * n, m);
     both << r.real(), r.imag();
-    both = solver_->solve(std::move(both));
+    both = factor_->solve(std::move(both));
     return both.topRows(n) + j * both.bottomRows(n);
   }
   ComplexMatrix turned = r;
-  for (Index i = 0; i < n; ++i) {
-    if (across_[static_cast<std::size_t>(i)]) turned.row(i) *= j;
-  }
+  for (const Index i : groups_->rows[1]) turned.row(i) *= j;
   const bool real = turned.imag().cwiseAbs().maxCoeff() == 0, imaginary = turned.real().cwiseAbs().maxCoeff() == 0;
   ComplexMatrix x(n, m);
   if (real || imaginary) {
-    const Matrix part = solver_->solve(real ? Matrix(turned.real()) : Matrix(turned.imag()));
+    const Matrix part = solve_star(real ? Matrix(turned.real()) : Matrix(turned.imag()));
     x = real ? ComplexMatrix(part.cast<Complex>()) : ComplexMatrix(j * part);
   } else {
     Matrix both(n, 2 * m);
     both << turned.real(), turned.imag();
-    both = solver_->solve(std::move(both));
+    both = solve_star(both);
     x = both.leftCols(m) + j * both.rightCols(m);
   }
-  for (Index i = 0; i < n; ++i) {
-    if (across_[static_cast<std::size_t>(i)]) x.row(i) *= -j;
-  }
+  for (const Index i : groups_->rows[1]) x.row(i) *= -j;
   return x;
 }
 

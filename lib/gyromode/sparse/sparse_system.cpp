@@ -29,7 +29,7 @@ void require_lower(std::string_view name, const SparseMatrix& a, Index n, bool w
 
 // Whether M is singular to rounding: of its factorisation or of the digits of a file, 10⁻¹² of every diagonal entry.
 // Elements of reduced integration leave motions without mass.
-bool is_singular_mass(const SparseMatrix& mass, const std::vector<int>& node, const Labels& labels) {
+bool is_singular_mass(const SparseMatrix& mass, const std::vector<int>& order, const Labels& labels) {
   constexpr double rounding = 1e-12;
   const Vector diagonal = mass.diagonal();
   for (Index j = 0; j < mass.cols(); ++j) {
@@ -37,7 +37,7 @@ bool is_singular_mass(const SparseMatrix& mass, const std::vector<int>& node, co
       throw LawBroken(
           fmt::format("M must be positive definite: its diagonal entry of {} is {:.6g}", labels[static_cast<std::size_t>(j)], diagonal(j)));
   }
-  sparse::SymmetricFactor factor(mass, sparse::node_order(mass, node), sparse::SymmetricFactor::Keep::counts);
+  sparse::SymmetricFactor factor(mass, order, sparse::SymmetricFactor::Keep::counts);
   SparseMatrix shifted = mass;
   for (Index j = 0; j < mass.cols(); ++j) shifted.coeffRef(j, j) -= rounding * diagonal(j);
   if (factor.factor(shifted) == 0) return false;
@@ -61,7 +61,8 @@ SparseSystem::SparseSystem(SparseMatrices matrices) : of_(std::move(matrices)) {
     of_.node.resize(static_cast<std::size_t>(n));
     std::iota(of_.node.begin(), of_.node.end(), 0);
   }
-  singular_mass_ = n > 0 && is_singular_mass(of_.mass, of_.node, of_.labels);
+  places_ = sparse::node_places({&of_.mass, &of_.gyroscopic, &of_.stiffness}, of_.node);
+  singular_mass_ = n > 0 && is_singular_mass(of_.mass, sparse::coordinate_order(places_, of_.node), of_.labels);
 }
 
 }  // namespace gyromode

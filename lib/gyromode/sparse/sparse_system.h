@@ -3,6 +3,7 @@
 #include "gyromode/base/labels.h"
 #include "gyromode/base/sparse_matrix.h"
 
+#include <optional>
 #include <vector>
 
 namespace gyromode {
@@ -14,6 +15,8 @@ struct SparseMatrices {
   SparseMatrix stiffness;   ///< lower triangle of K
   Labels labels;            ///< n; empty: q1 … qn
   std::vector<int> node;    ///< of every coordinate, from 0; empty: each its own
+  /// γ with −γM ≤ jG ≤ γM, where it is known: 2|Ω| for axes that turn at Ω. Counts may rest on it.
+  std::optional<double> gyroscopic_bound = std::nullopt;
 };
 
 /// M q̈ + G q̇ + K q = 0 with M = Mᵀ > 0 (or ≥ 0 to rounding), G = −Gᵀ, K = Kᵀ, sparse. One that exists keeps these laws.
@@ -29,11 +32,14 @@ class SparseSystem {
   const SparseMatrix& stiffness() const { return of_.stiffness; }    ///< lower triangle
   const Labels& labels() const { return of_.labels; }                ///< n
   const std::vector<int>& node() const { return of_.node; }          ///< of every coordinate
+  const std::vector<int>& places() const { return places_; }         ///< of every node, in an order of elimination with little fill
+  std::optional<double> gyroscopic_bound() const { return of_.gyroscopic_bound; }  ///< γ with −γM ≤ jG ≤ γM, where it is known
   /// M is positive semidefinite to rounding: some motions have no mass, and no frequency of their own.
   bool singular_mass() const { return singular_mass_; }
 
  private:
   SparseMatrices of_;
+  std::vector<int> places_;
   bool singular_mass_ = false;
 };
 

@@ -69,15 +69,40 @@ Matrix Subspace::add(const Matrix& x) {
   return mv_.leftCols(size_).transpose() * x;
 }
 
-void Subspace::restart(const Matrix& c, const std::vector<bool>& across) {
-  const Matrix v = v_.leftCols(size_) * c, mv = mv_.leftCols(size_) * c;
-  const Matrix k = c.transpose() * stiffness() * c, g = c.transpose() * gyroscopic() * c;
-  size_ = c.cols();
-  v_.leftCols(size_) = v;
-  mv_.leftCols(size_) = mv;
+// An orthonormal basis of every group's part of the combinations: what is below 10⁻⁷ of them is left.
+void Subspace::keep(const Matrix& c) {
+  constexpr double least = 1e-14;
+  std::vector<Matrix> bases;
+  Index kept = 0;
+  for (const bool across : {false, true}) {
+    Matrix part = c;
+    for (Index i = 0; i < size_; ++i) {
+      if (column_across_[static_cast<std::size_t>(i)] != across) part.row(i).setZero();
+    }
+    for (Index j = 0; j < part.cols(); ++j) {
+      const double size = part.col(j).norm();
+      if (size > 0) part.col(j) /= size;
+    }
+    for (const double square : {least, 0.5}) part = part * orthonormal_combinations(part.transpose() * part, square);
+    kept += part.cols();
+    bases.push_back(std::move(part));
+  }
+  Matrix y(size_, kept);
+  y << bases[0], bases[1];
+  const Matrix k = y.transpose() * stiffness() * y, g = y.transpose() * gyroscopic() * y;
+  for (Matrix* a : {&v_, &mv_}) {
+    constexpr Index rows = 4096;  // in pieces, so that no second basis is needed
+    for (Index i = 0; i < a->rows(); i += rows) {
+      const Index m = std::min(rows, a->rows() - i);
+      const Matrix piece = a->block(i, 0, m, size_) * y;
+      a->block(i, 0, m, kept) = piece;
+    }
+  }
+  size_ = kept;
   k_.topLeftCorner(size_, size_) = 0.5 * (k + k.transpose());
   g_.topLeftCorner(size_, size_) = 0.5 * (g - g.transpose());
-  column_across_ = across;
+  column_across_.assign(static_cast<std::size_t>(bases[0].cols()), false);
+  column_across_.insert(column_across_.end(), static_cast<std::size_t>(bases[1].cols()), true);
 }
 
 }  // namespace gyromode::sparse

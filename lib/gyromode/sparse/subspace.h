@@ -25,8 +25,8 @@ class Subspace {
   Matrix gyroscopic() const { return g_.topLeftCorner(size_, size_); }
   /// Of every column, whether it is in quadrature.
   const std::vector<bool>& across() const { return column_across_; }
-  /// Keeps the combinations of columns given (p × q, orthonormal, of one group each where there is a partition).
-  void restart(const Matrix& c, const std::vector<bool>& across);
+  /// Keeps what the combinations of columns given (p × any number) span.
+  void keep(const Matrix& c);
 
  private:
   void append(const Matrix& fresh, bool across);

@@ -1,0 +1,26 @@
+#include "gyromode/sparse/groups.h"
+
+namespace gyromode::sparse {
+
+Groups groups_of(const Structure& structure, Index n) {
+  Groups g;
+  g.partition = structure.system_class() == SystemClass::quadrature;
+  g.across.assign(static_cast<std::size_t>(n), false);
+  if (g.partition) {
+    for (const Index i : structure.in_quadrature()) g.across[static_cast<std::size_t>(i)] = true;
+  }
+  for (Index i = 0; i < n; ++i) g.rows[g.across[static_cast<std::size_t>(i)] ? 1 : 0].push_back(i);
+  return g;
+}
+
+SparseMatrix coupling_of(const SparseSystem& system, const Groups& groups) {
+  SparseMatrix c = system.gyroscopic();
+  for (Index j = 0; j < c.outerSize(); ++j) {
+    for (SparseMatrix::InnerIterator it(c, j); it; ++it) {
+      if (groups.across[static_cast<std::size_t>(it.row())]) it.valueRef() = -it.value();
+    }
+  }
+  return c;
+}
+
+}  // namespace gyromode::sparse

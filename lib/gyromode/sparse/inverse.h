@@ -1,0 +1,27 @@
+#pragma once
+
+#include "gyromode/base/types.h"
+
+namespace gyromode::sparse {
+
+/// States of a motion, length × m, and E times them, E an inner product.
+struct States {
+  Matrix x, ex;
+};
+
+/// A real operator whose outermost eigenvalues θ are the roots near a shift, self-adjoint or skew-adjoint in a definite
+/// inner product ⟨u, v⟩ = uᵀEv (theory sparse §2–4).
+class Inverse {
+ public:
+  virtual ~Inverse() = default;
+
+  virtual Index length() const = 0;                           ///< of a state
+  virtual bool skew() const { return false; }                 ///< then θ is imaginary, and |θ| stands for it
+  virtual States start(const Matrix& shapes) const = 0;       ///< smooth states from shapes, n × m, of any kind
+  virtual States apply(const States& u) const = 0;            ///< of u, and E times that, without a product with K where it can be
+  virtual Matrix inner(const Matrix& x) const = 0;            ///< Ex, by products
+  virtual double square(double theta) const = 0;              ///< ω² (−λ²) of an eigenvalue
+  virtual Matrix shapes(const Matrix& states) const = 0;      ///< real shapes that span those of the motions, n × any number
+};
+
+}  // namespace gyromode::sparse

@@ -1,0 +1,143 @@
+#include "gyromode/sparse/inverses.h"
+
+#include "gyromode/sparse/matrix.h"
+
+namespace gyromode::sparse {
+
+namespace {
+
+// With the groups exchanged B becomes −Bᵀ.
+SparseMatrix coupling_from(const SparseSystem& s, const Groups& g, Index first) {
+  SparseMatrix c = coupling_of(s, g);
+  if (first == 1) c *= -1;
+  return c;
+}
+
+Matrix rows_of(const std::vector<Index>& rows, const Matrix& x) {
+  Matrix part = Matrix::Zero(x.rows(), x.cols());
+  for (Index j = 0; j < x.cols(); ++j) {
+    for (const Index i : rows) part(i, j) = x(i, j);
+  }
+  return part;
+}
+
+// x in the rows of one group, y in the others.
+Matrix joined(const std::vector<Index>& rows, const Matrix& x, const Matrix& y) {
+  Matrix both = y;
+  for (Index j = 0; j < x.cols(); ++j) {
+    for (const Index i : rows) both(i, j) = x(i, j);
+  }
+  return both;
+}
+
+// diag(K₁, M₂) u.
+Matrix inner_of(const SparseSystem& s, const Groups& g, Index first, const Matrix& u) {
+  const std::vector<Index>&one = g.rows[static_cast<std::size_t>(first)], &two = g.rows[static_cast<std::size_t>(1 - first)];
+  return joined(one, symmetric_times(s.stiffness(), rows_of(one, u)), symmetric_times(s.mass(), rows_of(two, u)));
+}
+
+// diag(K, M) (q, q̇).
+Matrix energy_of(const SparseSystem& s, const Matrix& u) {
+  const Index n = s.size();
+  Matrix e(2 * n, u.cols());
+  e << symmetric_times(s.stiffness(), u.topRows(n)), symmetric_times(s.mass(), u.bottomRows(n));
+  return e;
+}
+
+}  // namespace
+
+InverseOfBlocks::InverseOfBlocks(const SparseSystem& system, const Groups& groups, const StiffnessFactors& stiffness, Index first)
+    : system_(system), groups_(groups), stiffness_(stiffness), first_(first), coupling_(coupling_from(system, groups, first)) {}
+
+States InverseOfBlocks::start(const Matrix& shapes) const {
+  return apply({shapes, symmetric_times(system_.mass(), shapes)});  // what the first group has of E u is not looked at
+}
+
+States InverseOfBlocks::apply(const States& u) const {
+  const std::vector<Index>& one = groups_.rows[static_cast<std::size_t>(first_)];
+  if (stiffness_.blocks() == 1) {  // the other group is empty
+    const Matrix mx = symmetric_times(system_.mass(), u.x);
+    return {stiffness_.solve(0, mx), mx};
+  }
+  const Matrix x = rows_of(one, u.x), y = stiffness_.solve(1 - first_, symmetric_times(coupling_, x) - u.ex), xy = x + y;
+  const Matrix m = symmetric_times(system_.mass(), xy), g = m + symmetric_times(coupling_, xy);
+  return {stiffness_.solve(first_, g) - y, joined(one, g, -m)};
+}
+
+Matrix InverseOfBlocks::inner(const Matrix& x) const { return inner_of(system_, groups_, first_, x); }
+
+InverseAtShift::InverseAtShift(const SparseSystem& system, const Groups& groups, std::shared_ptr<const ShiftedFactor> impedance,
+                               Index first)
+    : system_(system),
+      groups_(groups),
+      impedance_(std::move(impedance)),
+      first_(first),
+      coupling_(coupling_from(system, groups, first)) {}
+
+States InverseAtShift::start(const Matrix& shapes) const { return apply({shapes, Matrix()}); }
+
+States InverseAtShift::apply(const States& u) const {
+  const double sigma = impedance_->shift;
+  const std::vector<Index>& one = groups_.rows[static_cast<std::size_t>(first_)];
+  const Matrix m = symmetric_times(system_.mass(), u.x), c = symmetric_times(coupling_, rows_of(one, u.x));
+  const Matrix r = joined(one, -m, (c - m) / sigma);
+  // H* has B from the first group to the second: where the groups are exchanged, −B, z changes its sign.
+  const double sign = first_ == 0 ? 1 : -1;
+  Matrix w = joined(one, r, sign * r);
+  w = impedance_->solve_star(w);
+  w = joined(one, w, (sign * sigma) * w);
+  const Matrix mw = symmetric_times(system_.mass(), w), cw = symmetric_times(coupling_, w);
+  const Matrix kx = sigma * sigma * mw - m - cw;  // of the first group: K₁x = −M₁f₁ + σ²M₁x − Bẏ
+  return {w, joined(one, kx, mw)};
+}
+
+Matrix InverseAtShift::inner(const Matrix& x) const { return inner_of(system_, groups_, first_, x); }
+
+States InverseOfMotion::start(const Matrix& shapes) const {
+  const Matrix m = symmetric_times(system_.mass(), shapes);
+  States w{Matrix::Zero(length(), shapes.cols()), Matrix::Zero(length(), shapes.cols())};
+  w.x.topRows(shapes.rows()) = stiffness_.solve(0, m);
+  w.ex.topRows(shapes.rows()) = m;
+  return w;
+}
+
+States InverseOfMotion::apply(const States& u) const {
+  const Index n = system_.size(), m = u.x.cols();
+  const Matrix q = u.x.topRows(n), r = -(u.ex.bottomRows(n) + skew_times(system_.gyroscopic(), q));
+  States w{Matrix(2 * n, m), Matrix(2 * n, m)};
+  w.x << stiffness_.solve(0, r), q;
+  w.ex << r, symmetric_times(system_.mass(), q);
+  return w;
+}
+
+Matrix InverseOfMotion::inner(const Matrix& x) const { return energy_of(system_, x); }
+
+States InverseOfMotionAtShift::start(const Matrix& shapes) const {
+  Matrix x = Matrix::Zero(length(), shapes.cols());
+  x.bottomRows(shapes.rows()) = shapes;
+  return apply({x, Matrix()});
+}
+
+States InverseOfMotionAtShift::apply(const States& u) const {
+  const Index n = system_.size();
+  const double sigma = impedance_->shift;
+  const Matrix f1 = u.x.topRows(n), f2 = u.x.bottomRows(n);
+  ComplexMatrix r(n, u.x.cols());
+  r.real() = -(symmetric_times(system_.mass(), f2) + skew_times(system_.gyroscopic(), f1));
+  r.imag() = -sigma * symmetric_times(system_.mass(), f1);
+  r = impedance_->solve(r);
+  States w{Matrix(2 * n, u.x.cols()), Matrix(2 * n, u.x.cols())};
+  w.x << r.imag() / sigma, r.real();
+  w.ex = inner(w.x);
+  return w;
+}
+
+Matrix InverseOfMotionAtShift::inner(const Matrix& x) const { return energy_of(system_, x); }
+
+Matrix InverseOfMotionAtShift::shapes(const Matrix& states) const {
+  Matrix both(system_.size(), 2 * states.cols());
+  both << states.topRows(system_.size()), states.bottomRows(system_.size());
+  return both;
+}
+
+}  // namespace gyromode::sparse

@@ -1,0 +1,152 @@
+#include "gyromode/sparse/lanczos.h"
+
+#include "gyromode/sparse/orthonormal.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace gyromode::sparse {
+
+Matrix random_shapes(Index n, Index width, unsigned draw) {
+  std::mt19937_64 bits(20090 + draw);
+  Matrix x(n, width);
+  for (Index k = 0; k < x.size(); ++k) x.data()[k] = std::ldexp(static_cast<double>(bits() >> 11), -52) - 1;
+  return x;
+}
+
+Lanczos::Lanczos(const Inverse& inverse, Index n, Index width, Index most)
+    : inverse_(inverse), n_(n), width_(width), most_(std::max(most, 4 * width)) {
+  refresh(width);
+}
+
+// Against U twice, and among themselves: W = U onto + (what is returned) rest. What is left of a column below 10⁻¹⁰ of
+// it is rounding.
+States Lanczos::orthonormalised(States w, Matrix& onto, Matrix& rest) const {
+  const Index p = size_, m = w.x.cols();
+  const auto u = u_.leftCols(p);
+  const auto eu = eu_.leftCols(p);
+  onto = Matrix::Zero(p, m);
+  Vector size(m);
+  for (Index j = 0; j < m; ++j) size(j) = std::sqrt(std::max(0.0, w.x.col(j).dot(w.ex.col(j))));
+  const double largest = m > 0 ? size.maxCoeff() : 0;
+  const Vector scale = size.unaryExpr([&](double s) { return s > 1e-14 * largest && s > 0 ? s : 1.0; });
+  w.x = w.x * scale.cwiseInverse().asDiagonal();
+  w.ex = w.ex * scale.cwiseInverse().asDiagonal();
+  rest = Matrix::Identity(m, m);
+  for (const double least : {1e-20, 1e-4}) {
+    const Matrix c = u.transpose() * w.ex;
+    w.x.noalias() -= u * c;
+    w.ex.noalias() -= eu * c;
+    onto += c * rest;
+    const Matrix gram = w.x.transpose() * w.ex, t = orthonormal_combinations(gram, least);
+    w.x = w.x * t;
+    w.ex = w.ex * t;
+    rest = (t.transpose() * gram) * rest;
+  }
+  onto = onto * scale.asDiagonal();
+  rest = rest * scale.asDiagonal();
+  w.ex = inverse_.inner(w.x);  // what x and Ex differ by would grow from block to block
+  return w;
+}
+
+void Lanczos::append(const States& block) {
+  const Index m = block.x.cols();
+  if (size_ + m > u_.cols()) {
+    const Index room = std::max(most_, size_ + m);
+    u_.conservativeResize(inverse_.length(), room);
+    eu_.conservativeResize(inverse_.length(), room);
+    h_.conservativeResize(room, room);
+  }
+  u_.middleCols(size_, m) = block.x;
+  eu_.middleCols(size_, m) = block.ex;
+  last_ = m;
+  size_ += m;
+}
+
+void Lanczos::refresh(Index width) {
+  Matrix onto;
+  next_ = orthonormalised(inverse_.start(random_shapes(n_, width, draws_++)), onto, rest_);
+  rest_.resize(0, 0);
+  applied_ += width;
+  last_ = 0;
+}
+
+bool Lanczos::step() {
+  if (next_.x.cols() == 0) return false;
+  if (size_ + next_.x.cols() > most_) restart();
+  const Index first = size_;
+  append(next_);
+  const Index m = last_;
+  States w = inverse_.apply({u_.middleCols(first, m), eu_.middleCols(first, m)});
+  applied_ += m;
+  Matrix onto;
+  next_ = orthonormalised(std::move(w), onto, rest_);
+  const double sign = inverse_.skew() ? -1 : 1;
+  h_.block(0, first, size_, m) = onto;
+  h_.block(first, 0, m, first) = sign * onto.topRows(first).transpose();
+  h_.block(first, first, m, m) = 0.5 * (onto.bottomRows(m) + sign * onto.bottomRows(m).transpose());
+  return next_.x.cols() > 0;
+}
+
+Lanczos::Ritz Lanczos::ritz() const {
+  const Index p = size_;
+  const Matrix h = h_.topLeftCorner(p, p);
+  Ritz r;
+  std::vector<Index> order;
+  const auto sorted = [&](const Vector& values, bool positive) {
+    for (Index k = 0; k < values.size(); ++k) {
+      if (!positive || values(k) > 0) order.push_back(k);
+    }
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return std::abs(values(a)) > std::abs(values(b)); });
+  };
+  if (inverse_.skew()) {  // H z = −jθ z of jH z = θ z
+    const Eigen::SelfAdjointEigenSolver<ComplexMatrix> e(Complex(0, 1) * h);
+    sorted(e.eigenvalues(), true);
+    const double root2 = std::sqrt(2.0);
+    r.theta = e.eigenvalues()(order);
+    r.re = root2 * e.eigenvectors()(Eigen::all, order).real();
+    r.im = root2 * e.eigenvectors()(Eigen::all, order).imag();
+  } else {
+    const Eigen::SelfAdjointEigenSolver<Matrix> e(h);
+    sorted(e.eigenvalues(), false);
+    r.theta = e.eigenvalues()(order);
+    r.re = e.eigenvectors()(Eigen::all, order);
+  }
+  Vector squares = (rest_ * r.re.bottomRows(last_)).colwise().squaredNorm();
+  if (r.im.size() > 0) squares = 0.5 * (squares + Vector((rest_ * r.im.bottomRows(last_)).colwise().squaredNorm()));
+  r.residual = squares.cwiseSqrt();
+  return r;
+}
+
+Matrix Lanczos::refined(const Matrix& coefficients) const {
+  return inverse_.apply({u_.leftCols(size_) * coefficients, eu_.leftCols(size_) * coefficients}).x;
+}
+
+// The outermost half is kept; what is next stays next, and its products with what is kept come with the next step.
+void Lanczos::restart() {
+  const Ritz r = ritz();
+  const bool pairs = r.im.size() > 0;
+  const Index kept = std::min<Index>(r.theta.size(), (most_ / 2) / (pairs ? 2 : 1));
+  Matrix y(size_, pairs ? 2 * kept : kept);
+  if (pairs)
+    y << r.re.leftCols(kept), r.im.leftCols(kept);
+  else
+    y = r.re.leftCols(kept);
+  const Matrix h = y.transpose() * h_.topLeftCorner(size_, size_) * y;
+  for (Matrix* a : {&u_, &eu_}) {
+    constexpr Index rows = 4096;  // in pieces, so that no second basis is needed
+    for (Index i = 0; i < a->rows(); i += rows) {
+      const Index m = std::min(rows, a->rows() - i);
+      const Matrix piece = a->block(i, 0, m, size_) * y;
+      a->block(i, 0, m, y.cols()) = piece;
+    }
+  }
+  size_ = y.cols();
+  h_.topLeftCorner(size_, size_) = inverse_.skew() ? Matrix(0.5 * (h - h.transpose())) : Matrix(0.5 * (h + h.transpose()));
+}
+
+}  // namespace gyromode::sparse

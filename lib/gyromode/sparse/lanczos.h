@@ -1,0 +1,55 @@
+#pragma once
+
+#include "gyromode/sparse/inverse.h"
+
+#include <vector>
+
+namespace gyromode::sparse {
+
+/// Block Lanczos with full orthogonalisation in E and thick restart:  Op U = U H + U₊ R Eᵀ,  ⟨U, U⟩ = 1,  with E the
+/// last columns. H = ⟨U, Op U⟩ is kept whole, so that a restart U ← U Y and a block from elsewhere change nothing in
+/// the recurrence.
+class Lanczos {
+ public:
+  /// Blocks of `width` from random shapes of order n; at most `most` columns are kept.
+  Lanczos(const Inverse& inverse, Index n, Index width, Index most);
+
+  /// One block more, after a restart where there is no room. @returns false where nothing new comes
+  bool step();
+  /// Goes on from `width` random shapes of their own: more roots of one frequency than a block has columns are not seen
+  /// otherwise.
+  void refresh(Index width);
+  /// Room for that many columns.
+  void widen(Index most) { most_ = std::max(most_, most); }
+
+  /// Eigenvalues of H, the outermost first.
+  struct Ritz {
+    Vector theta;     ///< of a skew-adjoint operator |θ|, one for each pair
+    Vector residual;  ///< ‖Op u − θu‖ in E, ‖u‖ = 1
+    Matrix re, im;    ///< coefficients in U, p × m; im is empty where they are real
+  };
+  Ritz ritz() const;
+  /// Op applied to combinations of U once more: what is not of their roots gets smaller.
+  Matrix refined(const Matrix& coefficients) const;
+
+  Index size() const { return size_; }
+  Index applied() const { return applied_; }  ///< columns that the operator was applied to
+
+ private:
+  void append(const States& block);
+  void restart();
+  States orthonormalised(States w, Matrix& onto, Matrix& rest) const;
+
+  const Inverse& inverse_;
+  Index n_, width_, most_;
+  Index size_ = 0, last_ = 0, applied_ = 0;
+  unsigned draws_ = 0;
+  Matrix u_, eu_, h_;
+  States next_;
+  Matrix rest_;  // R
+};
+
+/// Shapes of random entries in [−1, 1], the same on every machine.
+Matrix random_shapes(Index n, Index width, unsigned draw);
+
+}  // namespace gyromode::sparse

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "gyromode/sparse/groups.h"
+#include "gyromode/sparse/lanczos.h"
+#include "gyromode/sparse/search.h"
+
+#include <memory>
+
+namespace gyromode::sparse {
+
+/// By Lanczos with an operator that is (skew-)self-adjoint in a definite inner product; what it finds is projected on.
+class LanczosSearch : public Search {
+ public:
+  /// `wanted`: about how many roots will be asked for.
+  LanczosSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, std::unique_ptr<Inverse> inverse, Index wanted);
+
+  bool step() override { return lanczos_.step(); }
+  void refresh(Index width) override { lanczos_.refresh(width); }
+  void tighten() override { tolerance_ /= 10; }
+  std::vector<Expected> look() const override;
+  Found found(const Window& range) const override;
+  Index applied() const override { return lanczos_.applied(); }
+
+ private:
+  const SparseSystem& system_;
+  const Groups& groups_;
+  const Norms& norms_;
+  std::unique_ptr<Inverse> inverse_;
+  Lanczos lanczos_;
+  double tolerance_;
+};
+
+}  // namespace gyromode::sparse

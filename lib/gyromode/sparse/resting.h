@@ -1,0 +1,12 @@
+#pragma once
+
+#include "gyromode/sparse/groups.h"
+#include "gyromode/sparse/sparse_system.h"
+
+namespace gyromode::sparse {
+
+/// n₋(K − μM), by the blocks of a partition, in a fraction of the memory that factors take; arbitrary where μ is ω² of a
+/// mode at rest to rounding. With γ ≥ ‖M^−½GM^−½‖ and μ = σ² + γσ it is at least n₋(H(σ)) (theory T17).
+Index negative_at_rest(const SparseSystem& system, const Groups& groups, double mu);
+
+}  // namespace gyromode::sparse

@@ -1,0 +1,52 @@
+#include "gyromode/sparse/searches.h"
+
+#include "gyromode/sparse/arnoldi_search.h"
+#include "gyromode/sparse/inverse_iteration.h"
+#include "gyromode/sparse/inverses.h"
+#include "gyromode/sparse/lanczos_search.h"
+
+namespace gyromode::sparse {
+
+Searches::Searches(const SparseSystem& system, const Structure& structure)
+    : system_(system),
+      groups_(groups_of(structure, system.size())),
+      norms_(norms_of(system)),
+      stiffness_(system, groups_),
+      impedance_(system, groups_) {}
+
+Index Searches::definite_block() const {
+  for (Index b = 0; b < stiffness_.blocks(); ++b) {
+    if (stiffness_.definite(b)) return b;
+  }
+  return -1;
+}
+
+std::unique_ptr<Search> Searches::about(double sigma, Index wanted) const {
+  const Index first = definite_block();
+  const bool lanczos = first >= 0 && !system_.singular_mass();
+  if (lanczos) {
+    std::unique_ptr<Inverse> inverse;
+    if (sigma == 0 && groups_.partition) inverse = std::make_unique<InverseOfBlocks>(system_, groups_, stiffness_, first);
+    if (sigma == 0 && !groups_.partition) inverse = std::make_unique<InverseOfMotion>(system_, stiffness_);
+    if (sigma > 0 && groups_.partition) inverse = std::make_unique<InverseAtShift>(system_, groups_, impedance_.at(sigma), first);
+    if (sigma > 0 && !groups_.partition) inverse = std::make_unique<InverseOfMotionAtShift>(system_, impedance_.at(sigma));
+    return std::make_unique<LanczosSearch>(system_, groups_, norms_, std::move(inverse), wanted);
+  }
+  Resolvent resolvent{sigma, {}};
+  if (sigma == 0) {
+    resolvent.solve = [this](const ComplexMatrix& r) {
+      Matrix x = Matrix::Zero(r.rows(), r.cols());
+      for (Index b = 0; b < stiffness_.blocks(); ++b) x += stiffness_.solve(b, r.real());
+      return ComplexMatrix(x.cast<Complex>());
+    };
+  } else {
+    resolvent.solve = [h = impedance_.at(sigma)](const ComplexMatrix& r) { return h->solve(r); };
+  }
+  return std::make_unique<ArnoldiSearch>(system_, groups_, norms_, std::move(resolvent), wanted);
+}
+
+std::string Searches::in_words() const {
+  return definite_block() >= 0 ? "block Lanczos about K and shifts" : "block Krylov spaces about K and shifts, projected";
+}
+
+}  // namespace gyromode::sparse

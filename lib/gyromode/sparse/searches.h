@@ -1,0 +1,39 @@
+#pragma once
+
+#include "gyromode/sparse/search.h"
+#include "gyromode/sparse/shifted.h"
+#include "gyromode/sparse/stiffness.h"
+
+#include <memory>
+#include <string>
+
+namespace gyromode::sparse {
+
+/// The searches that a system admits, each by the operator that fits it best, with the factorisations they share.
+class Searches {
+ public:
+  /// K is factored. @throws TooLarge
+  Searches(const SparseSystem& system, const Structure& structure);
+
+  const Groups& groups() const { return groups_; }
+  const Norms& norms() const { return norms_; }
+  const StiffnessFactors& stiffness() const { return stiffness_; }
+  /// H(ω) of ω > 0, factored.
+  std::shared_ptr<const ShiftedFactor> impedance(double omega) const { return impedance_.at(omega); }
+  /// About a shift, σ = 0 being K; `wanted`: about how many roots will be asked for.
+  std::unique_ptr<Search> about(double sigma, Index wanted) const;
+  /// Which operator that is, for people.
+  std::string in_words() const;
+
+ private:
+  /// The block of K that is positive definite, or −1.
+  Index definite_block() const;
+
+  const SparseSystem& system_;
+  Groups groups_;
+  Norms norms_;
+  StiffnessFactors stiffness_;
+  ShiftedImpedance impedance_;
+};
+
+}  // namespace gyromode::sparse
