@@ -128,6 +128,18 @@ SparseMatrices assembled(const StructureParts& p) {
   SparseMatrices all;
   all.gyroscopic.resize(n, n);
   all.gyroscopic.setFromTriplets(g.begin(), g.end());
+  // Where every node moves in all directions that the spin turns, or in none, G is 2Ω[a]× of a mass that M holds in full.
+  const bool whole = std::all_of(nodes.coordinates.begin(), nodes.coordinates.end(), [&](const auto& of) {
+    int there = 0, turned = 0;
+    for (Index d = 0; d < 3; ++d) {
+      if (cross.row(d).squaredNorm() == 0) continue;
+      ++turned;
+      there += of[static_cast<std::size_t>(d)] >= 0 ? 1 : 0;
+    }
+    return there == 0 || there == turned;
+  });
+  constexpr double with_rounding = 1 + 1e-6;
+  if (whole) all.gyroscopic_bound = 2 * std::abs(p.spin) * with_rounding;
   all.mass = p.mass;
   all.stiffness = p.stiffness;
   for (const MeshCoordinate& c : p.coordinates) all.labels.push_back(name_of(c));

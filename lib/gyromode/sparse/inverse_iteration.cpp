@@ -20,8 +20,9 @@ double least_form(const std::function<Matrix(Matrix)>& solve, const SparseMatrix
     }
   }
   const Matrix ax = symmetric_times(a, x);
+  const Vector sizes = sizes_of(a, x.cwiseAbs());
   double least = infinity;
-  for (Index j = 0; j < x.cols(); ++j) least = std::min(least, std::abs(x.col(j).dot(ax.col(j))) / size_of(a, x.col(j).cwiseAbs()));
+  for (Index j = 0; j < x.cols(); ++j) least = std::min(least, std::abs(x.col(j).dot(ax.col(j))) / sizes(j));
   return least;
 }
 

@@ -1,5 +1,6 @@
 #include "gyromode/sparse/lanczos.h"
 
+#include "gyromode/lapack/multiply.h"
 #include "gyromode/sparse/orthonormal.h"
 
 #include <Eigen/Eigenvalues>
@@ -38,11 +39,11 @@ States Lanczos::orthonormalised(States w, Matrix& onto, Matrix& rest) const {
   w.ex = w.ex * scale.cwiseInverse().asDiagonal();
   rest = Matrix::Identity(m, m);
   for (const double least : {1e-20, 1e-4}) {
-    const Matrix c = u.transpose() * w.ex;
-    w.x.noalias() -= u * c;
-    w.ex.noalias() -= eu * c;
+    const Matrix c = lapack::multiply_tn(u, w.ex);
+    lapack::multiply_into(w.x, -1, u, false, c, false, 1);
+    lapack::multiply_into(w.ex, -1, eu, false, c, false, 1);
     onto += c * rest;
-    const Matrix gram = w.x.transpose() * w.ex, t = orthonormal_combinations(gram, least);
+    const Matrix gram = lapack::multiply_tn(w.x, w.ex), t = orthonormal_combinations(gram, least);
     w.x = w.x * t;
     w.ex = w.ex * t;
     rest = (t.transpose() * gram) * rest;
@@ -123,7 +124,7 @@ Lanczos::Ritz Lanczos::ritz() const {
 }
 
 Matrix Lanczos::refined(const Matrix& coefficients) const {
-  return inverse_.apply({u_.leftCols(size_) * coefficients, eu_.leftCols(size_) * coefficients}).x;
+  return inverse_.apply({lapack::multiply(u_.leftCols(size_), coefficients), lapack::multiply(eu_.leftCols(size_), coefficients)}).x;
 }
 
 // The outermost half is kept; what is next stays next, and its products with what is kept come with the next step.
@@ -141,7 +142,7 @@ void Lanczos::restart() {
     constexpr Index rows = 4096;  // in pieces, so that no second basis is needed
     for (Index i = 0; i < a->rows(); i += rows) {
       const Index m = std::min(rows, a->rows() - i);
-      const Matrix piece = a->block(i, 0, m, size_) * y;
+      const Matrix piece = lapack::multiply(a->block(i, 0, m, size_), y);
       a->block(i, 0, m, y.cols()) = piece;
     }
   }

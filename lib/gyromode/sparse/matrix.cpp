@@ -1,40 +1,60 @@
 #include "gyromode/sparse/matrix.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gyromode::sparse {
 
 namespace {
 
-// y += L x + sign Lᵀ x without the diagonal twice, all columns at once: x and y by rows, so that an entry meets its
-// right-hand sides side by side.
+// Columns that go through the matrix together, side by side in memory, so that an entry meets a cache line of each.
+constexpr Index together = 8;
+
+// y = (L + sign Lᵀ) x without the diagonal twice, of |L| where moduli are asked for.
+template <bool moduli>
 Matrix times(const SparseMatrix& lower, const Matrix& x, double sign) {
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Rows in = x;
-  Rows out = Rows::Zero(x.rows(), x.cols());
-  for (Index j = 0; j < lower.outerSize(); ++j) {
-    for (SparseMatrix::InnerIterator it(lower, j); it; ++it) {
-      const Index i = it.row();
-      out.row(i) += it.value() * in.row(j);
-      if (i != j) out.row(j) += sign * it.value() * in.row(i);
+  const Index n = x.rows();
+  Matrix y(n, x.cols());
+  std::vector<double> in(static_cast<std::size_t>(n * together)), out(in.size());
+  for (Index first = 0; first < x.cols(); first += together) {
+    const Index m = std::min(together, x.cols() - first);
+    std::fill(in.begin(), in.end(), 0.0);
+    std::fill(out.begin(), out.end(), 0.0);
+    for (Index c = 0; c < m; ++c) {
+      for (Index i = 0; i < n; ++i) in[static_cast<std::size_t>(i * together + c)] = x(i, first + c);
+    }
+    const auto* rows = lower.innerIndexPtr();
+    const double* values = lower.valuePtr();
+    for (Index j = 0; j < n; ++j) {
+      const double* xj = in.data() + j * together;
+      double* yj = out.data() + j * together;
+      double sum[together] = {};
+      for (auto e = lower.outerIndexPtr()[j]; e < lower.outerIndexPtr()[j + 1]; ++e) {
+        const Index i = rows[e];
+        const double a = moduli ? std::abs(values[e]) : values[e], across = i == j ? 0.0 : sign * a;
+        const double* xi = in.data() + i * together;
+        double* yi = out.data() + i * together;
+        for (Index c = 0; c < together; ++c) {
+          yi[c] += a * xj[c];
+          sum[c] += across * xi[c];
+        }
+      }
+      for (Index c = 0; c < together; ++c) yj[c] += sum[c];
+    }
+    for (Index c = 0; c < m; ++c) {
+      for (Index i = 0; i < n; ++i) y(i, first + c) = out[static_cast<std::size_t>(i * together + c)];
     }
   }
-  return out;
+  return y;
 }
 
 }  // namespace
 
-Matrix symmetric_times(const SparseMatrix& lower, const Matrix& x) { return times(lower, x, 1); }
-Matrix skew_times(const SparseMatrix& below, const Matrix& x) { return times(below, x, -1); }
+Matrix symmetric_times(const SparseMatrix& lower, const Matrix& x) { return times<false>(lower, x, 1); }
+Matrix skew_times(const SparseMatrix& below, const Matrix& x) { return times<false>(below, x, -1); }
 
-double size_of(const SparseMatrix& lower, const Vector& moduli) {
-  double sum = 0;
-  for (Index j = 0; j < lower.outerSize(); ++j) {
-    double column = 0;
-    for (SparseMatrix::InnerIterator it(lower, j); it; ++it) column += (it.row() == j ? 1 : 2) * std::abs(it.value()) * moduli(it.row());
-    sum += column * moduli(j);
-  }
-  return sum;
+Vector sizes_of(const SparseMatrix& lower, const Matrix& moduli) {
+  return moduli.cwiseProduct(times<true>(lower, moduli, 1)).colwise().sum();
 }
 
 double norm1(const SparseMatrix& lower) {

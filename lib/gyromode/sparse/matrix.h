@@ -10,9 +10,9 @@ namespace gyromode::sparse {
 Matrix symmetric_times(const SparseMatrix& lower, const Matrix& x);
 /// AX of a skew A given by what is below its diagonal.
 Matrix skew_times(const SparseMatrix& below, const Matrix& x);
-/// |x|ᵀ|A||x| of a (skew-)symmetric A by its lower triangle, of the moduli |x|: what rounding of its entries is relative
-/// to.
-double size_of(const SparseMatrix& lower, const Vector& moduli);
+/// |x|ᵀ|A||x| of a (skew-)symmetric A by its lower triangle, of every column of moduli |x|: what rounding of its entries
+/// is relative to.
+Vector sizes_of(const SparseMatrix& lower, const Matrix& moduli);
 /// The largest column sum of |A| of a (skew-)symmetric A given by its lower triangle.
 double norm1(const SparseMatrix& lower);
 /// The rows and columns `chosen` (ascending) of a symmetric or skew A, of its lower triangle.

@@ -65,37 +65,64 @@ double gap_to_others(const Vector& omega, Index k, double near) {
 
 // In the norm of M an eigenvalue of H(ω) is within ρ' = ‖r‖_{M⁻¹} / ‖X‖_M of zero: ω within ρ = ρ'‖X‖²_M / |form| of a
 // root to first order, and as the Rayleigh quotient is stationary within ρ²/gap to second. M⁻¹ by the diagonal of M.
+// Some at a time, so that their products need little memory.
 std::vector<RitzMode> measured(const SparseSystem& s, const Norms& norms, const Subspace& v, const RitzPairs& pairs,
                                const std::vector<Index>& chosen) {
-  const Index m = static_cast<Index>(chosen.size());
-  Matrix both(v.size(), 2 * m);
-  for (Index k = 0; k < m; ++k) {
-    both.col(k) = pairs.coefficients.col(chosen[static_cast<std::size_t>(k)]).real();
-    both.col(m + k) = pairs.coefficients.col(chosen[static_cast<std::size_t>(k)]).imag();
-  }
-  const Matrix x = v.combined(both), mx = v.mass_times(both), kx = symmetric_times(s.stiffness(), x), gx = skew_times(s.gyroscopic(), x);
+  constexpr Index together = 4;
   const Vector inverse_mass = s.mass().diagonal().cwiseInverse();
+  const Complex j(0, 1);
   std::vector<RitzMode> all;
-  for (Index k = 0; k < m; ++k) {
-    RitzMode mode;
-    const double w = mode.omega = pairs.omega(chosen[static_cast<std::size_t>(k)]);
-    const Complex j(0, 1);
-    mode.shape = x.col(k) + j * x.col(m + k);
-    const ComplexVector mass = mx.col(k) + j * mx.col(m + k), gyro = gx.col(k) + j * gx.col(m + k);
-    const ComplexVector r = (kx.col(k) + j * kx.col(m + k)) - w * w * mass + (j * w) * gyro;
-    mode.form = 2 * w * std::real(mode.shape.dot(mass)) - std::real(j * mode.shape.dot(gyro));
-    mode.energy_sign = mode.form < 0 ? -1 : 1;
-    const double size = mode.shape.norm();
-    mode.residual = r.norm() / ((norms.k + w * norms.g + w * w * norms.m) * size);
-    const double rho = std::sqrt(r.cwiseAbs2().cwiseProduct(inverse_mass).sum() * std::real(mode.shape.dot(mass))) / std::abs(mode.form);
-    mode.error_bound = std::min(rho, rho * rho / gap_to_others(pairs.omega, chosen[static_cast<std::size_t>(k)], 4 * rho));
-    all.push_back(std::move(mode));
+  for (std::size_t first = 0; first < chosen.size(); first += together) {
+    const Index m = std::min<Index>(together, static_cast<Index>(chosen.size() - first));
+    Matrix both(v.size(), 2 * m);
+    for (Index k = 0; k < m; ++k) {
+      both.col(k) = pairs.coefficients.col(chosen[first + static_cast<std::size_t>(k)]).real();
+      both.col(m + k) = pairs.coefficients.col(chosen[first + static_cast<std::size_t>(k)]).imag();
+    }
+    const Matrix x = v.combined(both), mx = v.mass_times(both), kx = symmetric_times(s.stiffness(), x),
+                 gx = skew_times(s.gyroscopic(), x);
+    for (Index k = 0; k < m; ++k) {
+      const Index root = chosen[first + static_cast<std::size_t>(k)];
+      RitzMode mode;
+      const double w = mode.omega = pairs.omega(root);
+      mode.shape = x.col(k) + j * x.col(m + k);
+      const ComplexVector mass = mx.col(k) + j * mx.col(m + k), gyro = gx.col(k) + j * gx.col(m + k);
+      const ComplexVector r = (kx.col(k) + j * kx.col(m + k)) - w * w * mass + (j * w) * gyro;
+      mode.form = 2 * w * std::real(mode.shape.dot(mass)) - std::real(j * mode.shape.dot(gyro));
+      mode.energy_sign = mode.form < 0 ? -1 : 1;
+      const double size = mode.shape.norm();
+      mode.residual = r.norm() / ((norms.k + w * norms.g + w * w * norms.m) * size);
+      const double rho = std::sqrt(r.cwiseAbs2().cwiseProduct(inverse_mass).sum() * std::real(mode.shape.dot(mass))) / std::abs(mode.form);
+      mode.error_bound = std::min(rho, rho * rho / gap_to_others(pairs.omega, root, 4 * rho));
+      all.push_back(std::move(mode));
+    }
   }
   return all;
 }
 
-MeasuredRoots measured_in(const SparseSystem& s, const Norms& norms, const Subspace& v, const Window& range) {
+namespace {
+
+// What rounding of the matrices does to an error.
+void add_rounding(const SparseSystem& s, std::vector<RitzMode>& modes) {
   constexpr double rounding = 4 * epsilon;
+  constexpr std::size_t together = 8;
+  for (std::size_t first = 0; first < modes.size(); first += together) {
+    const std::size_t m = std::min(together, modes.size() - first);
+    Matrix moduli(s.size(), static_cast<Index>(m));
+    for (std::size_t k = 0; k < m; ++k) moduli.col(static_cast<Index>(k)) = modes[first + k].shape.cwiseAbs();
+    const Vector kk = sizes_of(s.stiffness(), moduli), gg = sizes_of(s.gyroscopic(), moduli), mm = sizes_of(s.mass(), moduli);
+    for (std::size_t k = 0; k < m; ++k) {
+      RitzMode& mode = modes[first + k];
+      const double w = mode.omega;
+      const auto at = static_cast<Index>(k);
+      mode.error_bound += rounding * (kk(at) + w * gg(at) + w * w * mm(at)) / std::abs(mode.form);
+    }
+  }
+}
+
+}  // namespace
+
+MeasuredRoots measured_in(const SparseSystem& s, const Norms& norms, const Subspace& v, const Window& range) {
   MeasuredRoots all;
   if (v.size() == 0) return all;
   const RitzPairs pairs = ritz_pairs(v);
@@ -105,12 +132,7 @@ MeasuredRoots measured_in(const SparseSystem& s, const Norms& norms, const Subsp
   }
   all.modes = measured(s, norms, v, pairs, chosen);
   all.resting = Eigen::SelfAdjointEigenSolver<Matrix>(v.stiffness(), Eigen::EigenvaluesOnly).eigenvalues();
-  for (RitzMode& m : all.modes) {
-    const double w = m.omega;
-    const Vector x = m.shape.cwiseAbs();
-    m.error_bound +=
-        rounding * (size_of(s.stiffness(), x) + w * size_of(s.gyroscopic(), x) + w * w * size_of(s.mass(), x)) / std::abs(m.form);
-  }
+  add_rounding(s, all.modes);
   for (Index k = 0; range.a == 0 && k < pairs.unstable.count(); ++k) {
     const Complex lambda = pairs.unstable.lambda[static_cast<std::size_t>(k)];
     const ComplexVector c = pairs.unstable.right.col(k), d = pairs.unstable.left.col(k);

@@ -3,6 +3,8 @@
 #include "gyromode/sparse/matrix.h"
 #include "gyromode/sparse/orthonormal.h"
 
+#include "gyromode/lapack/multiply.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +32,7 @@ void Subspace::append(const Matrix& fresh, bool across) {
   mv_.middleCols(first, m) = symmetric_times(system_.mass(), fresh);
   size_ += m;
   const Matrix kx = symmetric_times(system_.stiffness(), fresh), gx = skew_times(system_.gyroscopic(), fresh);
-  const Matrix k = v_.leftCols(size_).transpose() * kx, g = v_.leftCols(size_).transpose() * gx;
+  const Matrix k = lapack::multiply_tn(v_.leftCols(size_), kx), g = lapack::multiply_tn(v_.leftCols(size_), gx);
   k_.block(0, first, size_, m) = k;
   g_.block(0, first, size_, m) = g;
   k_.block(first, 0, m, first) = k.topRows(first).transpose();
@@ -60,13 +62,13 @@ Matrix Subspace::add(const Matrix& x) {
     part = Matrix(part(Eigen::all, there));
     for (Index j = 0; j < part.cols(); ++j) part.col(j) /= std::sqrt(squares(there[static_cast<std::size_t>(j)]));
     for (const double square : least) {
-      if (size_ > 0) part -= v_.leftCols(size_) * (mv_.leftCols(size_).transpose() * part);
+      if (size_ > 0) lapack::multiply_into(part, -1, v_.leftCols(size_), false, lapack::multiply_tn(mv_.leftCols(size_), part), false, 1);
       part = part * orthonormal_combinations(part.transpose() * symmetric_times(system_.mass(), part), square);
     }
     append(part, across);
     if (!partition_) break;
   }
-  return mv_.leftCols(size_).transpose() * x;
+  return lapack::multiply_tn(mv_.leftCols(size_), x);
 }
 
 // An orthonormal basis of every group's part of the combinations: what is below 10⁻⁷ of them is left.
@@ -94,7 +96,7 @@ void Subspace::keep(const Matrix& c) {
     constexpr Index rows = 4096;  // in pieces, so that no second basis is needed
     for (Index i = 0; i < a->rows(); i += rows) {
       const Index m = std::min(rows, a->rows() - i);
-      const Matrix piece = a->block(i, 0, m, size_) * y;
+      const Matrix piece = lapack::multiply(a->block(i, 0, m, size_), y);
       a->block(i, 0, m, kept) = piece;
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/lapack/multiply.h"
 #include "gyromode/sparse/sparse_system.h"
 
 #include <vector>
@@ -16,8 +17,8 @@ class Subspace {
   /// m
   Matrix add(const Matrix& x);
   /// Coefficients of V that stand in as x = V c and Mx.
-  Matrix combined(const Matrix& c) const { return v_.leftCols(size()) * c; }
-  Matrix mass_times(const Matrix& c) const { return mv_.leftCols(size()) * c; }
+  Matrix combined(const Matrix& c) const { return lapack::multiply(v_.leftCols(size()), c); }
+  Matrix mass_times(const Matrix& c) const { return lapack::multiply(mv_.leftCols(size()), c); }
 
   Index size() const { return size_; }
   /// VᵀKV and VᵀGV, p × p; exactly (skew-)symmetric.
