@@ -14,6 +14,13 @@ struct MeshCoordinate {
   int direction = 0;
 };
 
+/// A symmetry of a mesh that reverses the sense of its spin.
+struct MeshSymmetry {
+  enum class Kind { mirror, half_turn };
+  Kind kind = Kind::mirror;
+  std::array<double, 3> direction{};  ///< normal of the mirror plane, or axis of the half-turn; across the axis of the spin
+};
+
 /// An export of a finite-element code: M and K (which holds the stress and the softening of the spin) in axes that turn
 /// with the structure.
 struct StructureParts {
@@ -21,6 +28,8 @@ struct StructureParts {
   std::vector<MeshCoordinate> coordinates;  ///< n
   double spin = 0;                          ///< Ω, rad per unit of time
   std::array<double, 3> axis{0, 0, 1};      ///< of the spin; any length but zero
+  std::vector<std::array<double, 3>> positions;  ///< of the node of every coordinate; empty: not known
+  std::optional<MeshSymmetry> symmetry;          ///< one that it has; else coordinate planes and half-turns about coordinate axes are tried
 };
 
 /// M, K and G = 2ΩM[a]×, a the unit axis: of mass that is the same in all directions and couples none, as that of

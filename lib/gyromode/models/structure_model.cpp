@@ -2,7 +2,9 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/models/family_parameters.h"
+#include "gyromode/models/mesh_symmetry.h"
 #include "gyromode/modes/modes.h"
+#include "gyromode/sparse/basis.h"
 #include "gyromode/sparse/partition.h"
 #include "gyromode/sparse/stiffness.h"
 
@@ -60,7 +62,7 @@ std::shared_ptr<const ModelKind> dense_model_of(const StructureParts& p) {
 
 }  // namespace
 
-StructureModel::StructureModel(StructureParts parts) : parts_(std::move(parts)), system_(assembled(parts_)) {}
+StructureModel::StructureModel(StructureParts parts) : parts_(std::move(parts)), system_(in_symmetric_coordinates(parts_)) {}
 
 ModesResult StructureModel::modes(const ModesOptions& options) const { return find_modes(system_, options); }
 
@@ -69,9 +71,14 @@ CountResult StructureModel::count(const Window& window) const { return count_mod
 StructureReport StructureModel::structure(std::optional<double> at) const {
   if (at) throw NotApplicable("--at writes H(ω) in full, which a large sparse model has no use for");
   StructureReport r;
-  r.structure = sparse::analyse(system_);
-  r.stiffness.negative = sparse::StiffnessFactors(system_, sparse::groups_of(r.structure, system_.size())).negative();
+  const Structure s = sparse::analyse(system_);
+  r.structure = system_.basis() ? system_.basis()->given : s;
+  r.stiffness.negative = sparse::StiffnessFactors(system_, sparse::groups_of(s, system_.size())).negative();
   r.checks = checks_of(parts_);
+  if (const sparse::Basis* b = system_.basis()) {
+    r.checks.push_back({"symmetry", b->in_words});
+    r.checks.push_back({"symmetry_departure", b->departure});
+  }
   const auto named = [&](const auto& number) {
     return NamedNumbers{
         {"mass", number(system_.mass())}, {"gyroscopic", number(system_.gyroscopic())}, {"stiffness", number(system_.stiffness())}};
@@ -86,11 +93,26 @@ std::vector<std::string> StructureModel::doubts(bool) const {
   return {"M is singular to rounding, as elements of reduced integration leave it: motions without mass have no frequency of their own"};
 }
 
-SmallStructureModel::SmallStructureModel(StructureParts parts) : DelegatingModel(dense_model_of(parts)), parts_(std::move(parts)) {}
+SmallStructureModel::SmallStructureModel(StructureParts parts) : DelegatingModel(dense_model_of(parts)), parts_(std::move(parts)) {
+  const SparseMatrices m = in_symmetric_coordinates(parts_);
+  if (!m.basis) return;
+  symmetry_ = m.basis->in_words;
+  departure_ = m.basis->departure;
+}
+
+ModesResult SmallStructureModel::modes(const ModesOptions& options) const {
+  ModesResult r = DelegatingModel::modes(options);
+  for (Component& c : r.structure.components) c.mesh_symmetry = !symmetry_.empty() && !c.quadrature();
+  return r;
+}
 
 StructureReport SmallStructureModel::structure(std::optional<double> at) const {
   StructureReport r = DelegatingModel::structure(at);
   for (ModelCheck& c : checks_of(parts_)) r.checks.push_back(std::move(c));
+  if (symmetry_.empty()) return r;
+  for (Component& c : r.structure.components) c.mesh_symmetry = !c.quadrature();
+  r.checks.push_back({"symmetry", symmetry_});
+  r.checks.push_back({"symmetry_departure", departure_});
   return r;
 }
 

@@ -31,10 +31,13 @@ class StructureModel : public ModelKind {
 class SmallStructureModel : public DelegatingModel {
  public:
   explicit SmallStructureModel(StructureParts parts);
+  ModesResult modes(const ModesOptions& options) const override;
   StructureReport structure(std::optional<double> at) const override;
 
  private:
   StructureParts parts_;
+  std::string symmetry_;  // in words; empty where none is needed or known
+  double departure_ = 0;
 };
 
 /// The model of a mesh: dense up to 1000 coordinates where M is positive definite, else sparse. @throws LawBroken;

@@ -3,6 +3,7 @@
 #include "gyromode/base/error.h"
 #include "gyromode/base/rounding.h"
 #include "gyromode/modes/shape.h"
+#include "gyromode/sparse/basis.h"
 #include "gyromode/sparse/inverse_iteration.h"
 #include "gyromode/sparse/partition.h"
 #include "gyromode/sparse/resting.h"
@@ -107,7 +108,8 @@ Inertia SparseSpectrum::inertia_at(double omega) const {
   const auto h = searches_.impedance(omega);
   i.negative = h->negative;
   i.positive = system_.size() - i.negative;
-  i.margin = h->margin > sparse::singular_margin ? 1 : 0;
+  const double rounding = system_.basis() ? 10 * system_.basis()->departure : 0;
+  i.margin = h->margin > std::max(sparse::singular_margin, rounding) ? 1 : 0;
   return counted_.emplace(omega, i).first->second;
 }
 
@@ -256,6 +258,8 @@ std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window&
   };
   Search::Found f = search_for(*at_zero_, goal, progress);
   goal.accepted(f);
+  if (good < std::min<Index>(count, static_cast<Index>(f.modes.size())))
+    throw NotConverged(fmt::format("of the {} lowest modes {} converged: ask for windows, which are searched from their ends", count, good));
   f.modes.resize(static_cast<std::size_t>(good));  // beyond, some may be missing
   close_at_rest(f.modes, count, f.resting, progress);
   return range_of(std::move(f.modes));
@@ -273,23 +277,29 @@ RootRange SparseSpectrum::range_of(Modes modes, double known_below) const {
   return r;
 }
 
+ComplexVector SparseSpectrum::in_given(const ComplexVector& shape) const {
+  return system_.basis() ? sparse::in_given(*system_.basis(), shape) : shape;
+}
+
 Mode SparseSpectrum::mode_of(const RitzMode& m, bool with_shape) const {
   Mode mode;
   mode.omega = m.omega;
   mode.energy_sign = m.energy_sign;
   mode.residual = m.residual;
   mode.error_bound = m.error_bound;
+  if (system_.basis()) mode.residual += system_.basis()->departure;
   if (with_shape) {
-    mode.form = m.form / std::norm(largest_entry(m.shape));
-    mode.shape = normalised(m.shape);
+    const ComplexVector shape = in_given(m.shape);
+    mode.form = m.form / std::norm(largest_entry(shape));
+    mode.shape = normalised(shape);
   }
   return mode;
 }
 
 void SparseSpectrum::describe(ModesResult& r, bool with_shapes) const {
-  r.structure = structure_;
+  r.structure = system_.basis() ? system_.basis()->given : structure_;
   r.stiffness = {balance_.negative, 0};
-  r.solver = fmt::format("sparse: {}; counts by LDLᵀ of {} (MUMPS)", searches_.in_words(),
+  r.solver = fmt::format("sparse: {}{}; counts by LDLᵀ of {} (MUMPS)", system_.basis() ? system_.basis()->in_words + ", " : "", searches_.in_words(),
                          searches_.groups().partition ? "H*, real of order n" : "H(ω) in real arithmetic of order 2n");
   r.opposite_gap = infinity;
   r.stability = !balance_.closed     ? Stability::unknown
@@ -299,7 +309,7 @@ void SparseSpectrum::describe(ModesResult& r, bool with_shapes) const {
   for (const RitzMode& m : negative_) r.negative_modes.push_back(mode_of(m, with_shapes));
   for (const RitzUnstable& u : unstable_) {
     r.unstable.push_back({u.lambda.real(), u.lambda.imag(), u.residual, u.error_bound, {}});
-    if (with_shapes) r.unstable.back().shape = normalised(u.shape);
+    if (with_shapes) r.unstable.back().shape = normalised(in_given(u.shape));
   }
 }
 

@@ -2,18 +2,20 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/formats/dof_table.h"
+#include "gyromode/formats/node_table.h"
 #include "gyromode/formats/triplet_file.h"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <unordered_map>
 
 namespace gyromode::io {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> keys{"kind", "title",     "reference", "known", "parameters", "frame",
-                                                "mass", "stiffness", "dofs",      "spin",  "axis"};
+constexpr std::array<std::string_view, 14> keys{"kind", "title",     "reference", "known", "parameters", "frame",
+                                                "mass", "stiffness", "dofs",      "spin",  "axis", "coordinates", "mirror", "half_turn"};
 
 std::filesystem::path file_named(const TomlTable& table, std::string_view key, Digest& digest) {
   const auto name = table.text(key);
@@ -42,6 +44,24 @@ StructureParts read_structure(const TomlTable& table, Digest& digest) {
   const auto n = static_cast<Index>(p.coordinates.size());
   p.mass = read_symmetric_triplets(file_named(table, "mass", digest), n);
   p.stiffness = read_symmetric_triplets(file_named(table, "stiffness", digest), n);
+  if (table.text("coordinates")) {
+    const std::filesystem::path file = file_named(table, "coordinates", digest);
+    std::unordered_map<long, std::array<double, 3>> at;
+    for (const MeshNode& m : read_nodes(file)) at.emplace(m.node, m.at);
+    for (const MeshCoordinate& c : p.coordinates) {
+      const auto node = at.find(c.node);
+      if (node == at.end())
+        throw Unreadable(file, fmt::format("has no node {}, which {} has coordinates of", c.node, dofs.filename().string()));
+      p.positions.push_back(node->second);
+    }
+  }
+  for (const auto& [key, kind] : {std::pair("mirror", MeshSymmetry::Kind::mirror), {"half_turn", MeshSymmetry::Kind::half_turn}}) {
+    const std::vector<double> direction = table.numbers(key);
+    if (direction.empty()) continue;
+    if (direction.size() != 3) table.fail(key, fmt::format("'{}' has {} numbers: the three of a direction were expected", key, direction.size()));
+    if (p.symmetry) table.fail(key, "'mirror' and 'half_turn' are given: one of them was expected");
+    p.symmetry = MeshSymmetry{kind, {direction[0], direction[1], direction[2]}};
+  }
   p.spin = table.frequency("spin").value_or(0);
   const std::vector<double> axis = table.numbers("axis");
   if (!axis.empty() && axis.size() != 3)

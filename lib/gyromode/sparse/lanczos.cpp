@@ -123,8 +123,10 @@ Lanczos::Ritz Lanczos::ritz() const {
   return r;
 }
 
-Matrix Lanczos::refined(const Matrix& coefficients) const {
-  return inverse_.apply({lapack::multiply(u_.leftCols(size_), coefficients), lapack::multiply(eu_.leftCols(size_), coefficients)}).x;
+Matrix Lanczos::refined(const Matrix& coefficients, int times) const {
+  States s{lapack::multiply(u_.leftCols(size_), coefficients), lapack::multiply(eu_.leftCols(size_), coefficients)};
+  for (int k = 0; k < times; ++k) s = inverse_.apply(s);
+  return s.x;
 }
 
 // The outermost half is kept; what is next stays next, and its products with what is kept come with the next step.

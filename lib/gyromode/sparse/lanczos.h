@@ -29,8 +29,8 @@ class Lanczos {
     Matrix re, im;    ///< coefficients in U, p × m; im is empty where they are real
   };
   Ritz ritz() const;
-  /// Op applied to combinations of U once more: what is not of their roots gets smaller.
-  Matrix refined(const Matrix& coefficients) const;
+  /// Op applied to combinations of U some times more: what is not of their roots gets smaller.
+  Matrix refined(const Matrix& coefficients, int times) const;
 
   Index size() const { return size_; }
   Index applied() const { return applied_; }  ///< columns that the operator was applied to

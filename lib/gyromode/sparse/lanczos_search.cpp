@@ -52,8 +52,8 @@ Search::Found LanczosSearch::found(const Window& range) const {
   for (std::size_t first = 0; first < chosen.size(); first += width) {
     const std::vector<Index> some(chosen.begin() + static_cast<std::ptrdiff_t>(first),
                                   chosen.begin() + static_cast<std::ptrdiff_t>(std::min(first + width, chosen.size())));
-    v.add(inverse_->shapes(lanczos_.refined(r.re(Eigen::all, some))));
-    if (r.im.size() > 0) v.add(inverse_->shapes(lanczos_.refined(r.im(Eigen::all, some))));
+    v.add(inverse_->shapes(lanczos_.refined(r.re(Eigen::all, some), passes_)));
+    if (r.im.size() > 0) v.add(inverse_->shapes(lanczos_.refined(r.im(Eigen::all, some), passes_)));
   }
   return measured_in(system_, norms_, v, range);
 }

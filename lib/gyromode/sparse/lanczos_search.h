@@ -16,7 +16,10 @@ class LanczosSearch : public Search {
 
   bool step() override { return lanczos_.step(); }
   void refresh(Index width) override { lanczos_.refresh(width); }
-  void tighten() override { tolerance_ /= 10; }
+  void tighten() override {
+    tolerance_ /= 10;
+    ++passes_;
+  }
   std::vector<Expected> look() const override;
   Found found(const Window& range) const override;
   Index applied() const override { return lanczos_.applied(); }
@@ -28,6 +31,7 @@ class LanczosSearch : public Search {
   std::unique_ptr<Inverse> inverse_;
   Lanczos lanczos_;
   double tolerance_;
+  int passes_ = 1;  // of the operator over what was found
 };
 
 }  // namespace gyromode::sparse

@@ -5,11 +5,11 @@
 
 namespace gyromode::sparse {
 
-Structure analyse(const SparseSystem& s) {
+Structure analyse(const SparseMatrices& m) {
   CouplingGraph graph;
-  graph.neighbours.resize(static_cast<std::size_t>(s.size()));
+  graph.neighbours.resize(static_cast<std::size_t>(m.mass.cols()));
   for (const auto& [a, kind] :
-       {std::pair(&s.stiffness(), CouplingKind::in_phase), {&s.mass(), CouplingKind::in_phase}, {&s.gyroscopic(), CouplingKind::cross}}) {
+       {std::pair(&m.stiffness, CouplingKind::in_phase), {&m.mass, CouplingKind::in_phase}, {&m.gyroscopic, CouplingKind::cross}}) {
     for (Index j = 0; j < a->outerSize(); ++j) {
       for (SparseMatrix::InnerIterator it(*a, j); it; ++it) {
         const Index i = it.row();

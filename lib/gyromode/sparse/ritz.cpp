@@ -1,5 +1,6 @@
 #include "gyromode/sparse/ritz.h"
 
+#include "gyromode/sparse/basis.h"
 #include "gyromode/sparse/matrix.h"
 
 #include "gyromode/base/rounding.h"
@@ -47,7 +48,10 @@ RitzPairs ritz_pairs(const Subspace& v) {
   return pairs;
 }
 
-Norms norms_of(const SparseSystem& s) { return {norm1(s.stiffness()), norm1(s.gyroscopic()), norm1(s.mass())}; }
+Norms norms_of(const SparseSystem& s) {
+  if (const Basis* b = s.basis()) return {b->norm_k, b->norm_g, b->norm_m};
+  return {norm1(s.stiffness()), norm1(s.gyroscopic()), norm1(s.mass())};
+}
 
 namespace {
 

@@ -34,7 +34,7 @@ struct RitzPairs {
 };
 RitzPairs ritz_pairs(const Subspace& v);
 
-/// The norms of a system.
+/// The norms of a system, in the coordinates given.
 struct Norms {
   double k = 0, g = 0, m = 0;
 };

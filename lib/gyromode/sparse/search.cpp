@@ -7,7 +7,7 @@
 namespace gyromode::sparse {
 
 bool converged(const RitzMode& m) {
-  constexpr double enough = 1e-11;
+  constexpr double enough = 3e-11;
   return m.residual <= enough;
 }
 

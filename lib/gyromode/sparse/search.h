@@ -32,7 +32,7 @@ class Search {
   virtual Index applied() const = 0;  ///< columns solved for
 };
 
-/// Whether a root that was measured is one: its residual, a tenth of what is asked of a result.
+/// Whether a root that was measured is one: its residual, a third of what is asked of a result.
 bool converged(const RitzMode& m);
 
 /// What a search is made to find, and when it gives up.

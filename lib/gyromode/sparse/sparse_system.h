@@ -3,10 +3,15 @@
 #include "gyromode/base/labels.h"
 #include "gyromode/base/sparse_matrix.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace gyromode {
+
+namespace sparse {
+struct Basis;
+}
 
 /// M, G, K of order n by what is on and below the diagonal, and which coordinates belong to one node.
 struct SparseMatrices {
@@ -17,6 +22,8 @@ struct SparseMatrices {
   std::vector<int> node;    ///< of every coordinate, from 0; empty: each its own
   /// γ with −γM ≤ jG ≤ γM, where it is known: 2|Ω| for axes that turn at Ω. Counts may rest on it.
   std::optional<double> gyroscopic_bound = std::nullopt;
+  /// Where these are not the coordinates given: those. Results are in them; labels too.
+  std::shared_ptr<const sparse::Basis> basis = nullptr;
 };
 
 /// M q̈ + G q̇ + K q = 0 with M = Mᵀ > 0 (or ≥ 0 to rounding), G = −Gᵀ, K = Kᵀ, sparse. One that exists keeps these laws.
@@ -26,6 +33,7 @@ class SparseSystem {
   /// that is indefinite beyond 10⁻¹² of its diagonal (by its factorisation)
   explicit SparseSystem(SparseMatrices matrices);
 
+  const SparseMatrices& matrices() const { return of_; }
   Index size() const { return of_.mass.cols(); }                     ///< n
   const SparseMatrix& mass() const { return of_.mass; }              ///< lower triangle
   const SparseMatrix& gyroscopic() const { return of_.gyroscopic; }  ///< below the diagonal
@@ -34,6 +42,7 @@ class SparseSystem {
   const std::vector<int>& node() const { return of_.node; }          ///< of every coordinate
   const std::vector<int>& places() const { return places_; }         ///< of every node, in an order of elimination with little fill
   std::optional<double> gyroscopic_bound() const { return of_.gyroscopic_bound; }  ///< γ with −γM ≤ jG ≤ γM, where it is known
+  const sparse::Basis* basis() const { return of_.basis.get(); }     ///< null: the coordinates are those given
   /// M is positive semidefinite to rounding: some motions have no mass, and no frequency of their own.
   bool singular_mass() const { return singular_mass_; }
 

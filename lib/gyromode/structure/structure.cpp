@@ -38,7 +38,7 @@ std::vector<Index> collected(const std::vector<Component>& components, std::vect
 
 }  // namespace
 
-bool Component::hidden_quadrature() const { return odd_cycle && search && search->found; }
+bool Component::hidden_quadrature() const { return odd_cycle && (mesh_symmetry || (search && search->found)); }
 
 std::string_view to_string(SystemClass c) {
   switch (c) {

@@ -36,6 +36,9 @@ struct Component {
   /// where there is no partition and a reversing symmetry was looked for; rows in the order of `coordinates`
   std::shared_ptr<const SymmetrySearch> search;
 
+  /// where there is no partition: a symmetry of the mesh that reverses the spin was shown
+  bool mesh_symmetry = false;
+
   bool quadrature() const { return !odd_cycle; }  ///< whether it has a partition
   bool hidden_quadrature() const;                 ///< no partition, but a reversing symmetry
 };

@@ -72,6 +72,7 @@ void tabulate_components(const Model& model, const Structure& s, Writer& w) {
 }
 
 Json json_of(double x) { return x; }
+Json json_of(const std::string& x) { return x; }
 Json json_of(const Matrix& a) { return rows_of(a); }
 Json json_of(const std::vector<std::pair<std::string, double>>& numbers) {
   Json j;
