@@ -241,28 +241,65 @@ bool SparseSpectrum::close_at_rest(const Modes& lowest, Index wanted, const Vect
   return true;
 }
 
-// Until that many and some more have converged about K; what is below the gap after them is counted there.
+// Until that many and some more have converged about K; what is below the gap after them is counted there. Where there
+// are more than that, and of many, by windows whose ends are counted.
 std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window& range, const Progress& progress) const {
-  if (range.a > 0 || count > most_at_one_shift) return std::nullopt;
+  if (range.a > 0) return std::nullopt;
   constexpr Index more = 4;
-  if (!at_zero_) at_zero_ = searches_.about(0, count + more);
+  const Index first = std::min(count, most_at_one_shift);
+  if (!at_zero_) at_zero_ = searches_.about(0, first + more);
   sparse::Goal goal;
   goal.range = {0, range.b};
-  goal.missing = count + more;
-  goal.most_applied = most_applied(count);
-  goal.enough = [&](const auto& inside) { return converged_from(inside.begin(), inside.end()) >= count + more; };
-  Index good = 0;
-  goal.accepted = [&](const Search::Found& f) {
-    good = std::find_if(f.modes.begin(), f.modes.end(), [](const RitzMode& m) { return !converged(m); }) - f.modes.begin();
-    return good >= count + more;
+  goal.missing = first + more;
+  goal.most_applied = most_applied(first);
+  double last = 0;  // of those that have converged without one between that has not
+  goal.enough = [&](const auto& inside) {
+    const Index good = converged_from(inside.begin(), inside.end());
+    last = good > 0 ? inside[static_cast<std::size_t>(good) - 1].omega : 0;
+    return good >= first + more;
   };
   Search::Found f = search_for(*at_zero_, goal, progress);
-  goal.accepted(f);
-  if (good < std::min<Index>(count, static_cast<Index>(f.modes.size())))
-    throw NotConverged(fmt::format("of the {} lowest modes {} converged: ask for windows, which are searched from their ends", count, good));
-  f.modes.resize(static_cast<std::size_t>(good));  // beyond, some may be missing
-  close_at_rest(f.modes, count, f.resting, progress);
-  return range_of(std::move(f.modes));
+  keep_listable(f.modes);
+  if (f.modes.empty()) throw NotConverged("no mode has converged: ask for a window, which is searched from its ends");
+  constexpr double beyond_error = 1 + 1e-6;
+  while (f.modes.size() > 1 && f.modes.back().omega > last * beyond_error) f.modes.pop_back();
+  const Modes& low = f.modes;
+  if (count <= most_at_one_shift) {
+    if (close_at_rest(low, count, f.resting, progress)) return range_of(std::move(f.modes));
+    if (static_cast<Index>(low.size()) > count) {
+      const double end = gap_after(low, count);
+      if (end > 0 && expected_in(0, end) == std::count_if(low.begin(), low.end(), [&](const RitzMode& m) { return m.omega < end; }))
+        return range_of(std::move(f.modes));
+    }
+  }
+  // Farther up until there are as many by count; modes of an elastic body become denser.
+  double end = low.back().omega;
+  Index there = expected_in(0, end = clear_of_roots(end));
+  while (there < count + 1 && end < range.b) {
+    constexpr double least = 1.1, most = 2;
+    const double wanted = static_cast<double>(count + more) / static_cast<double>(std::max<Index>(there, 1));
+    end = std::min(clear_of_roots(end * std::clamp(wanted, least, most)), range.b);
+    there = expected_in(0, end);
+  }
+  return range_of(between(0, end, there, progress));
+}
+
+// The middle of the first gap after `count` of ascending roots that is wider than their errors; 0 where there is none.
+double SparseSpectrum::gap_after(const Modes& roots, Index count) const {
+  for (std::size_t k = static_cast<std::size_t>(count); k < roots.size(); ++k) {
+    const double from = roots[k - 1].omega + 4 * roots[k - 1].error_bound, to = roots[k].omega - 4 * roots[k].error_bound;
+    if (to > from) return 0.5 * (from + to);
+  }
+  return 0;
+}
+
+// A frequency a little above that is none of a mode.
+double SparseSpectrum::clear_of_roots(double omega) const {
+  constexpr int attempts = 8;
+  constexpr double step = 1e-5;
+  double w = omega * (1 + step);
+  for (int k = 1; k < attempts && inertia_at(w).doubtful(); ++k) w = omega * (1 + step * std::exp2(k));
+  return w;
 }
 
 RootRange SparseSpectrum::range_of(Modes modes, double known_below) const {

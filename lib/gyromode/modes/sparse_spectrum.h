@@ -42,6 +42,8 @@ class SparseSpectrum : public CountedSpectrum {
   Modes about(double sigma, double a, double b, Index expected, const Progress& progress) const;
   Index expected_in(double a, double b) const;
   double middle_of(double a, double b) const;
+  double gap_after(const Modes& roots, Index count) const;
+  double clear_of_roots(double omega) const;
   /// A count below which those modes, the lowest, are all there are, of the modes at rest (theory T17): from it on
   /// down inertia_at() needs no factorisation. False where it does not close.
   bool close_at_rest(const Modes& lowest, Index wanted, const Vector& resting, const Progress& progress) const;

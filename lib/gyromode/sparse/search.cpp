@@ -18,8 +18,8 @@ constexpr int quiet_looks = 2;  // with all in range converged, before other sha
 constexpr int most_tightened = 3;
 constexpr Index least_width = 8, most_width = 32;
 
-bool all_converged(const Search::Found& f) {
-  return std::all_of(f.modes.begin(), f.modes.end(), [](const RitzMode& m) { return converged(m); });
+Index number_converged(const Search::Found& f) {
+  return std::count_if(f.modes.begin(), f.modes.end(), [](const RitzMode& m) { return converged(m); });
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ Search::Found search_for(Search& search, const Goal& goal, const Progress& progr
     progress.report("modes", good, std::max(goal.missing, good));
     if (goal.enough(inside)) {
       Search::Found f = search.found(goal.range);
-      if ((goal.accepted ? goal.accepted(f) : all_converged(f)) || last) return f;
+      if ((goal.accepted ? goal.accepted(f) : number_converged(f) >= good) || last) return f;
       if (tightened++ < most_tightened) search.tighten();
     }
     if (last) return search.found(goal.range);

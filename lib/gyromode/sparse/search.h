@@ -39,9 +39,10 @@ bool converged(const RitzMode& m);
 struct Goal {
   Window range;                                                             ///< the roots wanted
   std::function<bool(const std::vector<Search::Expected>& inside)> enough;  ///< of those of the range
-  std::function<bool(const Search::Found&)> accepted;                       ///< of what was measured; null: all in range have converged
-  Index missing = 0;                                                        ///< about how many there are
-  Index most_applied = 0;                                                   ///< columns
+  /// Of what was measured; null: as many have converged as were expected to have. Roots of a projection may be none.
+  std::function<bool(const Search::Found&)> accepted = nullptr;
+  Index missing = 0;       ///< about how many there are
+  Index most_applied = 0;  ///< columns
 };
 
 /// Grows the space until there is enough and it is accepted, or nothing new comes, or work has come to its end. Where
