@@ -41,6 +41,8 @@ Index converged_from(Iterator first, Iterator last) {
   return std::find_if(first, last, [](const auto& e) { return !e.converged; }) - first;
 }
 
+std::optional<Window> wanted_if(bool enough, const Window& range) { return enough ? std::optional<Window>(range) : std::nullopt; }
+
 void keep_listable(std::vector<RitzMode>& modes) {  // what has not converged may be none
   modes.erase(std::remove_if(modes.begin(), modes.end(), [](const RitzMode& m) { return !(m.residual <= worst_residual); }), modes.end());
 }
@@ -79,7 +81,7 @@ void SparseSpectrum::close_balance(const Progress& progress) {
   };
   at_zero_ = searches_.about(0, negative + 8);
   sparse::Goal goal;
-  goal.enough = [](const auto&) { return true; };
+  goal.enough = [&](const auto&) { return goal.range; };
   goal.accepted = take;
   goal.missing = negative;
   goal.most_applied = most_applied(negative);
@@ -135,7 +137,7 @@ SparseSpectrum::Modes SparseSpectrum::about(double sigma, double a, double b, In
   const auto search = searches_.about(sigma, expected);
   sparse::Goal goal;
   goal.range = {a, b};
-  goal.enough = [&](const auto& inside) { return converged_in(inside) >= expected; };
+  goal.enough = [&](const auto& inside) { return wanted_if(converged_in(inside) >= expected, goal.range); };
   goal.missing = expected;
   goal.most_applied = most_applied(expected);
   Modes all = search_for(*search, goal, progress).modes;
@@ -173,7 +175,7 @@ SparseSpectrum::Modes SparseSpectrum::from_both_ends(double a, double b, Index e
   goal.missing = wanted;
   goal.most_applied = most_applied(expected);
   goal.enough = [&](const auto& inside) {
-    return converged_from(inside.begin(), inside.end()) >= wanted || converged_in(inside) >= expected;
+    return wanted_if(converged_from(inside.begin(), inside.end()) >= wanted || converged_in(inside) >= expected, goal.range);
   };
   low = search_for(*searches_.about(a, expected), goal, progress).modes;
   keep_listable(low);
@@ -181,7 +183,7 @@ SparseSpectrum::Modes SparseSpectrum::from_both_ends(double a, double b, Index e
   wanted = std::max<Index>(expected - static_cast<Index>(low.size()), 0) + beyond;
   goal.missing = wanted;
   goal.enough = [&](const auto& inside) {
-    return converged_from(inside.rbegin(), inside.rend()) >= wanted || converged_in(inside) >= expected;
+    return wanted_if(converged_from(inside.rbegin(), inside.rend()) >= wanted || converged_in(inside) >= expected, goal.range);
   };
   high = search_for(*searches_.about(b, expected), goal, progress).modes;
   keep_listable(high);
@@ -210,9 +212,10 @@ RootRange SparseSpectrum::roots(const Window& range, const Progress& progress) c
   return range_of(between(range.a, range.b, expected_in(range.a, range.b), progress));
 }
 
-bool SparseSpectrum::close_at_rest(const Modes& lowest, Index wanted, const Vector& resting, const Progress& progress) const {
+bool SparseSpectrum::close_at_rest(const Modes& lowest, Index wanted, const Progress& progress) const {
   if (balance_.negative > 0 || !system_.gyroscopic_bound()) return false;
   const double gamma = *system_.gyroscopic_bound();
+  const Vector resting = sparse::resting_squares(system_, lowest);
   // At the widest gap where as many modes at rest are expected below as there are modes.
   double best = 0, sigma = 0;
   Index below = 0;
@@ -255,17 +258,17 @@ std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window&
   double last = 0;  // of those that have converged without one between that has not
   goal.enough = [&](const auto& inside) {
     const Index good = converged_from(inside.begin(), inside.end());
-    last = good > 0 ? inside[static_cast<std::size_t>(good) - 1].omega : 0;
-    return good >= first + more;
+    constexpr double beyond_error = 1 + 1e-6;
+    last = good > 0 ? beyond_error * inside[static_cast<std::size_t>(std::min(good, first + more)) - 1].omega : 0;
+    return wanted_if(good >= first + more, Window{0, last});
   };
   Search::Found f = search_for(*at_zero_, goal, progress);
   keep_listable(f.modes);
   if (f.modes.empty()) throw NotConverged("no mode has converged: ask for a window, which is searched from its ends");
-  constexpr double beyond_error = 1 + 1e-6;
-  while (f.modes.size() > 1 && f.modes.back().omega > last * beyond_error) f.modes.pop_back();
+  while (f.modes.size() > 1 && f.modes.back().omega > last) f.modes.pop_back();
   const Modes& low = f.modes;
   if (count <= most_at_one_shift) {
-    if (close_at_rest(low, count, f.resting, progress)) return range_of(std::move(f.modes));
+    if (close_at_rest(low, count, progress)) return range_of(std::move(f.modes));
     if (static_cast<Index>(low.size()) > count) {
       const double end = gap_after(low, count);
       if (end > 0 && expected_in(0, end) == std::count_if(low.begin(), low.end(), [&](const RitzMode& m) { return m.omega < end; }))

@@ -46,7 +46,7 @@ class SparseSpectrum : public CountedSpectrum {
   double clear_of_roots(double omega) const;
   /// A count below which those modes, the lowest, are all there are, of the modes at rest (theory T17): from it on
   /// down inertia_at() needs no factorisation. False where it does not close.
-  bool close_at_rest(const Modes& lowest, Index wanted, const Vector& resting, const Progress& progress) const;
+  bool close_at_rest(const Modes& lowest, Index wanted, const Progress& progress) const;
   RootRange range_of(Modes modes, double known_below = infinity) const;
   ComplexVector in_given(const ComplexVector& shape) const;
   Mode mode_of(const sparse::RitzMode& m, bool with_shape) const;

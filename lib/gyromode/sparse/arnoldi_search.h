@@ -15,7 +15,6 @@ class ArnoldiSearch : public Search {
 
   bool step() override;
   void refresh(Index width) override;
-  void tighten() override { tolerance_ /= 10; }
   std::vector<Expected> look() const override;
   Found found(const Window& range) const override;
   Index applied() const override { return applied_; }

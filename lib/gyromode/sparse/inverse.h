@@ -21,6 +21,9 @@ class Inverse {
   virtual States apply(const States& u) const = 0;            ///< of u, and E times that, without a product with K where it can be
   virtual Matrix inner(const Matrix& x) const = 0;            ///< Ex, by products
   virtual double square(double theta) const = 0;              ///< ω² (−λ²) of an eigenvalue
+  virtual Index leading_group() const { return 0; }           ///< of a partition: a state has its displacements and the others' velocities
+  /// Whether a state, or two where they come in pairs, is one motion; else shapes that span those of all are known.
+  virtual bool motions() const { return true; }
   virtual Matrix shapes(const Matrix& states) const = 0;      ///< real shapes that span those of the motions, n × any number
 };
 

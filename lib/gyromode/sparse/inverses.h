@@ -23,6 +23,7 @@ class InverseOfBlocks : public Inverse {
   Matrix inner(const Matrix& x) const override;
   double square(double theta) const override { return 1 / theta; }
   Matrix shapes(const Matrix& states) const override { return states; }
+  Index leading_group() const override { return first_; }
 
  private:
   const SparseSystem& system_;
@@ -45,6 +46,7 @@ class InverseAtShift : public Inverse {
   Matrix inner(const Matrix& x) const override;
   double square(double theta) const override { return impedance_->shift * impedance_->shift - 1 / theta; }
   Matrix shapes(const Matrix& states) const override { return states; }
+  Index leading_group() const override { return first_; }
 
  private:
   const SparseSystem& system_;
@@ -85,6 +87,7 @@ class InverseOfMotionAtShift : public Inverse {
   States apply(const States& u) const override;
   Matrix inner(const Matrix& x) const override;
   double square(double theta) const override { return impedance_->shift * impedance_->shift - 1 / theta; }
+  bool motions() const override { return false; }
   Matrix shapes(const Matrix& states) const override;
 
  private:

@@ -24,25 +24,24 @@ Lanczos::Lanczos(const Inverse& inverse, Index n, Index width, Index most)
   refresh(width);
 }
 
-// Against U twice, and among themselves: W = U onto + (what is returned) rest. What is left of a column below 10⁻¹⁰ of
-// it is rounding.
+// Against U twice, and among themselves: W = U onto + (what is returned) rest. The first time with E W as the operator
+// gave it, which has no rounding of K in it: parts along the lowest modes are large. What is left of a column below
+// 10⁻¹⁰ of it is rounding.
 States Lanczos::orthonormalised(States w, Matrix& onto, Matrix& rest) const {
-  const Index p = size_, m = w.x.cols();
-  const auto u = u_.leftCols(p);
-  const auto eu = eu_.leftCols(p);
-  onto = Matrix::Zero(p, m);
+  const auto u = u_.leftCols(size_);
+  const Index m = w.x.cols();
+  onto = Matrix::Zero(size_, m);
   Vector size(m);
   for (Index j = 0; j < m; ++j) size(j) = std::sqrt(std::max(0.0, w.x.col(j).dot(w.ex.col(j))));
   const double largest = m > 0 ? size.maxCoeff() : 0;
   const Vector scale = size.unaryExpr([&](double s) { return s > 1e-14 * largest && s > 0 ? s : 1.0; });
-  w.x = w.x * scale.cwiseInverse().asDiagonal();
-  w.ex = w.ex * scale.cwiseInverse().asDiagonal();
+  for (Matrix* a : {&w.x, &w.ex}) *a = *a * scale.cwiseInverse().asDiagonal();
   rest = Matrix::Identity(m, m);
   for (const double least : {1e-20, 1e-4}) {
     const Matrix c = lapack::multiply_tn(u, w.ex);
     lapack::multiply_into(w.x, -1, u, false, c, false, 1);
-    lapack::multiply_into(w.ex, -1, eu, false, c, false, 1);
     onto += c * rest;
+    w.ex = inverse_.inner(w.x);
     const Matrix gram = lapack::multiply_tn(w.x, w.ex), t = orthonormal_combinations(gram, least);
     w.x = w.x * t;
     w.ex = w.ex * t;
@@ -50,20 +49,17 @@ States Lanczos::orthonormalised(States w, Matrix& onto, Matrix& rest) const {
   }
   onto = onto * scale.asDiagonal();
   rest = rest * scale.asDiagonal();
-  w.ex = inverse_.inner(w.x);  // what x and Ex differ by would grow from block to block
   return w;
 }
 
-void Lanczos::append(const States& block) {
-  const Index m = block.x.cols();
+void Lanczos::append(const Matrix& block) {
+  const Index m = block.cols();
   if (size_ + m > u_.cols()) {
     const Index room = std::max(most_, size_ + m);
     u_.conservativeResize(inverse_.length(), room);
-    eu_.conservativeResize(inverse_.length(), room);
     h_.conservativeResize(room, room);
   }
-  u_.middleCols(size_, m) = block.x;
-  eu_.middleCols(size_, m) = block.ex;
+  u_.middleCols(size_, m) = block;
   last_ = m;
   size_ += m;
 }
@@ -80,9 +76,9 @@ bool Lanczos::step() {
   if (next_.x.cols() == 0) return false;
   if (size_ + next_.x.cols() > most_) restart();
   const Index first = size_;
-  append(next_);
+  append(next_.x);
   const Index m = last_;
-  States w = inverse_.apply({u_.middleCols(first, m), eu_.middleCols(first, m)});
+  States w = inverse_.apply(next_);
   applied_ += m;
   Matrix onto;
   next_ = orthonormalised(std::move(w), onto, rest_);
@@ -123,10 +119,9 @@ Lanczos::Ritz Lanczos::ritz() const {
   return r;
 }
 
-Matrix Lanczos::refined(const Matrix& coefficients, int times) const {
-  States s{lapack::multiply(u_.leftCols(size_), coefficients), lapack::multiply(eu_.leftCols(size_), coefficients)};
-  for (int k = 0; k < times; ++k) s = inverse_.apply(s);
-  return s.x;
+Matrix Lanczos::refined(const Matrix& coefficients) const {
+  const Matrix x = lapack::multiply(u_.leftCols(size_), coefficients);
+  return inverse_.apply({x, inverse_.inner(x)}).x;
 }
 
 // The outermost half is kept; what is next stays next, and its products with what is kept come with the next step.
@@ -140,13 +135,11 @@ void Lanczos::restart() {
   else
     y = r.re.leftCols(kept);
   const Matrix h = y.transpose() * h_.topLeftCorner(size_, size_) * y;
-  for (Matrix* a : {&u_, &eu_}) {
-    constexpr Index rows = 4096;  // in pieces, so that no second basis is needed
-    for (Index i = 0; i < a->rows(); i += rows) {
-      const Index m = std::min(rows, a->rows() - i);
-      const Matrix piece = lapack::multiply(a->block(i, 0, m, size_), y);
-      a->block(i, 0, m, y.cols()) = piece;
-    }
+  constexpr Index rows = 4096;  // in pieces, so that no second basis is needed
+  for (Index i = 0; i < u_.rows(); i += rows) {
+    const Index m = std::min(rows, u_.rows() - i);
+    const Matrix piece = lapack::multiply(u_.block(i, 0, m, size_), y);
+    u_.block(i, 0, m, y.cols()) = piece;
   }
   size_ = y.cols();
   h_.topLeftCorner(size_, size_) = inverse_.skew() ? Matrix(0.5 * (h - h.transpose())) : Matrix(0.5 * (h + h.transpose()));

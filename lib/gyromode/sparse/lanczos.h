@@ -29,14 +29,14 @@ class Lanczos {
     Matrix re, im;    ///< coefficients in U, p × m; im is empty where they are real
   };
   Ritz ritz() const;
-  /// Op applied to combinations of U some times more: what is not of their roots gets smaller.
-  Matrix refined(const Matrix& coefficients, int times) const;
+  /// Op applied to combinations of U once more: what is not of the outermost roots gets smaller.
+  Matrix refined(const Matrix& coefficients) const;
 
   Index size() const { return size_; }
   Index applied() const { return applied_; }  ///< columns that the operator was applied to
 
  private:
-  void append(const States& block);
+  void append(const Matrix& block);
   void restart();
   States orthonormalised(States w, Matrix& onto, Matrix& rest) const;
 
@@ -44,7 +44,7 @@ class Lanczos {
   Index n_, width_, most_;
   Index size_ = 0, last_ = 0, applied_ = 0;
   unsigned draws_ = 0;
-  Matrix u_, eu_, h_;
+  Matrix u_, h_;
   States next_;
   Matrix rest_;  // R
 };

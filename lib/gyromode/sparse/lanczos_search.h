@@ -16,22 +16,18 @@ class LanczosSearch : public Search {
 
   bool step() override { return lanczos_.step(); }
   void refresh(Index width) override { lanczos_.refresh(width); }
-  void tighten() override {
-    tolerance_ /= 10;
-    ++passes_;
-  }
   std::vector<Expected> look() const override;
   Found found(const Window& range) const override;
   Index applied() const override { return lanczos_.applied(); }
 
  private:
+  Found measured_motions(const Lanczos::Ritz& r, const std::vector<Index>& chosen, std::vector<double> omega) const;
+
   const SparseSystem& system_;
   const Groups& groups_;
   const Norms& norms_;
   std::unique_ptr<Inverse> inverse_;
   Lanczos lanczos_;
-  double tolerance_;
-  int passes_ = 1;  // of the operator over what was found
 };
 
 }  // namespace gyromode::sparse

@@ -2,11 +2,10 @@
 
 #include "gyromode/sparse/basis.h"
 #include "gyromode/sparse/matrix.h"
+#include "gyromode/sparse/rounding_sizes.h"
 
 #include "gyromode/base/rounding.h"
 #include "gyromode/dense/solve.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -53,19 +52,15 @@ Norms norms_of(const SparseSystem& s) {
   return {norm1(s.stiffness()), norm1(s.gyroscopic()), norm1(s.mass())};
 }
 
-namespace {
-
-// To the nearest root of the projected system that differs by more than `near`, and to its mirror image.
-double gap_to_others(const Vector& omega, Index k, double near) {
-  double gap = 2 * omega(k);
-  for (Index i = 0; i < omega.size(); ++i) {
-    const double d = std::abs(omega(i) - omega(k));
-    if (i != k && d > near) gap = std::min(gap, d);
+// As the Rayleigh quotient is stationary, within ρ²/gap to second order; roots nearer than 4ρ are one with it.
+double error_of(double rho, double omega, const Vector& all) {
+  double gap = 2 * omega;  // to its mirror image
+  for (Index i = 0; i < all.size(); ++i) {
+    const double d = std::abs(all(i) - omega);
+    if (d > 4 * rho) gap = std::min(gap, d);
   }
-  return gap;
+  return std::min(rho, rho * rho / gap);
 }
-
-}  // namespace
 
 // In the norm of M an eigenvalue of H(ω) is within ρ' = ‖r‖_{M⁻¹} / ‖X‖_M of zero: ω within ρ = ρ'‖X‖²_M / |form| of a
 // root to first order, and as the Rayleigh quotient is stationary within ρ²/gap to second. M⁻¹ by the diagonal of M.
@@ -75,6 +70,7 @@ std::vector<RitzMode> measured(const SparseSystem& s, const Norms& norms, const 
   constexpr Index together = 4;
   const Vector inverse_mass = s.mass().diagonal().cwiseInverse();
   const Complex j(0, 1);
+  const RoundingSizes sizes(s);
   std::vector<RitzMode> all;
   for (std::size_t first = 0; first < chosen.size(); first += together) {
     const Index m = std::min<Index>(together, static_cast<Index>(chosen.size() - first));
@@ -97,34 +93,12 @@ std::vector<RitzMode> measured(const SparseSystem& s, const Norms& norms, const 
       const double size = mode.shape.norm();
       mode.residual = r.norm() / ((norms.k + w * norms.g + w * w * norms.m) * size);
       const double rho = std::sqrt(r.cwiseAbs2().cwiseProduct(inverse_mass).sum() * std::real(mode.shape.dot(mass))) / std::abs(mode.form);
-      mode.error_bound = std::min(rho, rho * rho / gap_to_others(pairs.omega, root, 4 * rho));
+      mode.error_bound = error_of(rho, w, pairs.omega) + sizes.of(mode.shape, w) / std::abs(mode.form);
       all.push_back(std::move(mode));
     }
   }
   return all;
 }
-
-namespace {
-
-// What rounding of the matrices does to an error.
-void add_rounding(const SparseSystem& s, std::vector<RitzMode>& modes) {
-  constexpr double rounding = 4 * epsilon;
-  constexpr std::size_t together = 8;
-  for (std::size_t first = 0; first < modes.size(); first += together) {
-    const std::size_t m = std::min(together, modes.size() - first);
-    Matrix moduli(s.size(), static_cast<Index>(m));
-    for (std::size_t k = 0; k < m; ++k) moduli.col(static_cast<Index>(k)) = modes[first + k].shape.cwiseAbs();
-    const Vector kk = sizes_of(s.stiffness(), moduli), gg = sizes_of(s.gyroscopic(), moduli), mm = sizes_of(s.mass(), moduli);
-    for (std::size_t k = 0; k < m; ++k) {
-      RitzMode& mode = modes[first + k];
-      const double w = mode.omega;
-      const auto at = static_cast<Index>(k);
-      mode.error_bound += rounding * (kk(at) + w * gg(at) + w * w * mm(at)) / std::abs(mode.form);
-    }
-  }
-}
-
-}  // namespace
 
 MeasuredRoots measured_in(const SparseSystem& s, const Norms& norms, const Subspace& v, const Window& range) {
   MeasuredRoots all;
@@ -135,8 +109,6 @@ MeasuredRoots measured_in(const SparseSystem& s, const Norms& norms, const Subsp
     if (range.contains(pairs.omega(k))) chosen.push_back(k);
   }
   all.modes = measured(s, norms, v, pairs, chosen);
-  all.resting = Eigen::SelfAdjointEigenSolver<Matrix>(v.stiffness(), Eigen::EigenvaluesOnly).eigenvalues();
-  add_rounding(s, all.modes);
   for (Index k = 0; range.a == 0 && k < pairs.unstable.count(); ++k) {
     const Complex lambda = pairs.unstable.lambda[static_cast<std::size_t>(k)];
     const ComplexVector c = pairs.unstable.right.col(k), d = pairs.unstable.left.col(k);

@@ -14,7 +14,7 @@ struct RitzMode {
   int energy_sign = 1;     ///< of Xᴴ(2ωM − jG)X
   double form = 0;         ///< Xᴴ(2ωM − jG)X
   double residual = 0;     ///< ‖H(ω)X‖₂ / ((‖K‖ + ω‖G‖ + ω²‖M‖)‖X‖₂), 1-norms
-  double error_bound = 0;  ///< on |δω|, to second order in the residual; without what rounding of the matrices does
+  double error_bound = 0;  ///< on |δω|, to second order in the residual; with what rounding of the matrices does
   ComplexVector shape;     ///< X
 };
 
@@ -44,10 +44,11 @@ Norms norms_of(const SparseSystem& system);
 struct MeasuredRoots {
   std::vector<RitzMode> modes;         ///< of a range, ascending
   std::vector<RitzUnstable> unstable;  ///< all that the subspace holds, where the range begins at 0
-  Vector resting;                      ///< ω² of K and M alone in the subspace, ascending: not below the true ones
 };
-/// With what rounding of the matrices does to an error.
 MeasuredRoots measured_in(const SparseSystem& system, const Norms& norms, const Subspace& v, const Window& range);
+
+/// A bound on |δω| of a root ω of `all` that is within ρ of a true one to first order.
+double error_of(double rho, double omega, const Vector& all);
 
 /// Residual, form and error of the roots `chosen`.
 std::vector<RitzMode> measured(const SparseSystem& system, const Norms& norms, const Subspace& v, const RitzPairs& pairs,

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int steps_between_looks = 3;
 constexpr int quiet_looks = 2;  // with all in range converged, before other shapes are tried
-constexpr int most_tightened = 3;
+constexpr int most_refused = 4;  // looks at what should have converged and has not, to what is asked of a result
 constexpr Index least_width = 8, most_width = 32;
 
 Index number_converged(const Search::Found& f) {
@@ -25,7 +25,7 @@ Index number_converged(const Search::Found& f) {
 }  // namespace
 
 Search::Found search_for(Search& search, const Goal& goal, const Progress& progress) {
-  int quiet = 0, tightened = 0, refreshed_for_nothing = 0;
+  int quiet = 0, refused = 0, refreshed_for_nothing = 0;
   Index best = -1;
   const Index before = search.applied();
   for (int step = 1;; ++step) {
@@ -39,10 +39,11 @@ Search::Found search_for(Search& search, const Goal& goal, const Progress& progr
     }
     const Index good = std::count_if(inside.begin(), inside.end(), [](const auto& e) { return e.converged; });
     progress.report("modes", good, std::max(goal.missing, good));
-    if (goal.enough(inside)) {
-      Search::Found f = search.found(goal.range);
-      if ((goal.accepted ? goal.accepted(f) : number_converged(f) >= good) || last) return f;
-      if (tightened++ < most_tightened) search.tighten();
+    if (const std::optional<Window> now = goal.enough(inside)) {
+      Search::Found f = search.found(*now);
+      const Index all = std::count_if(inside.begin(), inside.end(), [&](const auto& e) { return e.converged && now->contains(e.omega); });
+      if ((goal.accepted ? goal.accepted(f) : number_converged(f) >= all) || last) return f;
+      if (!goal.accepted && refused++ >= most_refused) return f;
     }
     if (last) return search.found(goal.range);
     const bool settled = good == static_cast<Index>(inside.size()) && good == best;

@@ -5,6 +5,7 @@
 #include "gyromode/spectrum/window.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace gyromode::sparse {
@@ -25,8 +26,6 @@ class Search {
   virtual bool step() = 0;
   /// Goes on from `width` shapes that have nothing to do with those before.
   virtual void refresh(Index width) = 0;
-  /// Asks a tenth of what it asked of a root that has converged.
-  virtual void tighten() = 0;
   virtual std::vector<Expected> look() const = 0;  ///< ascending
   virtual Found found(const Window& range) const = 0;
   virtual Index applied() const = 0;  ///< columns solved for
@@ -37,8 +36,9 @@ bool converged(const RitzMode& m);
 
 /// What a search is made to find, and when it gives up.
 struct Goal {
-  Window range;                                                             ///< the roots wanted
-  std::function<bool(const std::vector<Search::Expected>& inside)> enough;  ///< of those of the range
+  Window range;  ///< the roots wanted
+  /// Of those of the range: what is to be measured now, or nothing where there is not enough yet.
+  std::function<std::optional<Window>(const std::vector<Search::Expected>& inside)> enough;
   /// Of what was measured; null: as many have converged as were expected to have. Roots of a projection may be none.
   std::function<bool(const Search::Found&)> accepted = nullptr;
   Index missing = 0;       ///< about how many there are
