@@ -40,6 +40,7 @@ FilledWindow lowest_window(const CountedSpectrum& s, Index lowest, const Window&
     const double from = all[i].omega + 4 * all[i].error, to = all[i + 1].omega - 4 * all[i + 1].error;
     if (seen >= lowest && to > from) return {{requested.a, std::min(0.5 * (from + to), requested.b)}, std::move(found)};
   }
+  if (found.all_below > 0) return {{requested.a, std::min(found.all_below, requested.b)}, std::move(found)};
   return {{requested.a, b}, std::move(found)};
 }
 

@@ -24,7 +24,7 @@ class Ends {
     if (serves(asked)) return asked;
     if (const auto elsewhere = in_gap(omega)) return {omega, *elsewhere};
     constexpr double farthest = 1e-3;
-    for (double step = 16 * epsilon; step <= farthest; step *= 4) {
+    for (double step = 16 * epsilon; step <= farthest; step *= s_.outward()) {
       const double moved = omega * (1 + outward * step);
       const End end{moved, s_.inertia_at(moved)};
       if (serves(end)) return end;

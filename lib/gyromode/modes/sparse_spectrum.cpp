@@ -112,6 +112,7 @@ Inertia SparseSpectrum::inertia_at(double omega) const {
   i.positive = system_.size() - i.negative;
   const double rounding = system_.basis() ? 10 * system_.basis()->departure : 0;
   i.margin = h->margin > std::max(sparse::singular_margin, rounding) ? 1 : 0;
+  margins_[omega] = h->margin;
   return counted_.emplace(omega, i).first->second;
 }
 
@@ -131,6 +132,11 @@ double SparseSpectrum::middle_of(double a, double b) const {
   double middle = 0.5 * (a + b);
   for (int k = 0; k < attempts && inertia_at(middle).doubtful(); ++k) middle += 0.013 * (b - a);
   return middle;
+}
+
+double SparseSpectrum::margin_at(double omega) const {
+  const auto known = margins_.find(omega);
+  return known != margins_.end() ? known->second : searches_.impedance(omega)->margin;
 }
 
 SparseSpectrum::Modes SparseSpectrum::about(double sigma, double a, double b, Index expected, const Progress& progress) const {
@@ -177,7 +183,8 @@ SparseSpectrum::Modes SparseSpectrum::from_both_ends(double a, double b, Index e
   goal.enough = [&](const auto& inside) {
     return wanted_if(converged_from(inside.begin(), inside.end()) >= wanted || converged_in(inside) >= expected, goal.range);
   };
-  low = search_for(*searches_.about(a, expected), goal, progress).modes;
+  const auto lower = searches_.about(a, expected);
+  low = search_for(*lower, goal, progress).modes;
   keep_listable(low);
   if (joined()) return all;
   wanted = std::max<Index>(expected - static_cast<Index>(low.size()), 0) + beyond;
@@ -187,21 +194,28 @@ SparseSpectrum::Modes SparseSpectrum::from_both_ends(double a, double b, Index e
   };
   high = search_for(*searches_.about(b, expected), goal, progress).modes;
   keep_listable(high);
-  joined();
-  return all;
+  if (joined()) return all;
+  // No gap to join them at, as where many are equal: all from one end.
+  goal.missing = expected;
+  goal.enough = [&](const auto& inside) { return wanted_if(converged_in(inside) >= expected, goal.range); };
+  low = search_for(*lower, goal, progress).modes;
+  keep_listable(low);
+  return low.size() > high.size() ? low : high;
 }
 
 // Wide windows in parts; narrow ones from both ends, or from a shift of their own where that did not do.
 SparseSpectrum::Modes SparseSpectrum::between(double a, double b, Index expected, const Progress& progress) const {
   if (expected <= 0) return {};
   constexpr double narrowest = 1e-6;
+  constexpr double near_a_mode = 1e-9;  // of the margin: a shift as near as that hides the others behind one root
   if (expected > most_at_one_shift && b - a > narrowest * b) {
     const double middle = middle_of(a, b);
     Modes all = between(a, middle, expected_in(a, middle), progress);
     for (RitzMode& m : between(middle, b, expected_in(middle, b), progress)) all.push_back(std::move(m));
     return all;
   }
-  Modes all = a > 0 ? from_both_ends(a, b, expected, progress) : about(0, a, b, expected, progress);
+  const bool ends_serve = a > 0 && margin_at(a) > near_a_mode && margin_at(b) > near_a_mode;
+  Modes all = a == 0 ? about(0, a, b, expected, progress) : ends_serve ? from_both_ends(a, b, expected, progress) : Modes();
   if (static_cast<Index>(all.size()) == expected) return all;
   Modes other = about(middle_of(a, b), a, b, expected, progress);
   return other.size() > all.size() ? other : all;
@@ -284,7 +298,9 @@ std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window&
     end = std::min(clear_of_roots(end * std::clamp(wanted, least, most)), range.b);
     there = expected_in(0, end);
   }
-  return range_of(between(0, end, there, progress));
+  RootRange all = range_of(between(0, end, there, progress));
+  all.all_below = end;
+  return all;
 }
 
 // The middle of the first gap after `count` of ascending roots that is wider than their errors; 0 where there is none.

@@ -23,6 +23,7 @@ class SparseSpectrum : public CountedSpectrum {
   bool finite() const override { return false; }
   std::string why_an_end() const override { return "a large sparse model is searched window by window: "; }
   double above_all() const override { return infinity; }
+  double outward() const override { return 64; }
   Index below(double omega) const override;
   Index missed_by_signs(const Window& range) const override;
   Index zero_roots() const override { return 0; }
@@ -41,6 +42,7 @@ class SparseSpectrum : public CountedSpectrum {
   Modes from_both_ends(double a, double b, Index expected, const Progress& progress) const;
   Modes about(double sigma, double a, double b, Index expected, const Progress& progress) const;
   Index expected_in(double a, double b) const;
+  double margin_at(double omega) const;
   double middle_of(double a, double b) const;
   double gap_after(const Modes& roots, Index count) const;
   double clear_of_roots(double omega) const;
@@ -55,6 +57,7 @@ class SparseSpectrum : public CountedSpectrum {
   Structure structure_;
   sparse::Searches searches_;
   mutable std::map<double, Inertia> counted_;
+  mutable std::map<double, double> margins_;
   mutable std::unique_ptr<sparse::Search> at_zero_;
   mutable double known_below_ = 0;  // all roots below that are in lowest_
   mutable std::vector<CountedRoot> lowest_;

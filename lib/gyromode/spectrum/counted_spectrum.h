@@ -26,6 +26,7 @@ struct CountedRoot {
 struct RootRange {
   std::vector<CountedRoot> roots;
   std::function<Mode(std::size_t root, bool with_shape)> mode;  ///< frequencies in rad per unit of time
+  double all_below = 0;          ///< of lowest roots: all below that are listed, by count
   double known_below = infinity;                                ///< work was stopped: roots from here on are not all known
 };
 
@@ -55,6 +56,8 @@ class CountedSpectrum {
   /// Whether there are finitely many; and then a frequency above all of them, where −ω²M has taken over.
   virtual bool finite() const { return true; }
   virtual double above_all() const = 0;
+  /// By how much farther an end that is on a root is moved every time: a few where a count is cheap.
+  virtual double outward() const { return 4; }
   /// Roots are followed no farther than this; `reach_reason` says why, for people.
   virtual double reach() const { return infinity; }
   virtual std::string reach_reason() const { return ""; }
