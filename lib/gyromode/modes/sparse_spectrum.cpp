@@ -6,7 +6,9 @@
 #include "gyromode/sparse/basis.h"
 #include "gyromode/sparse/inverse_iteration.h"
 #include "gyromode/sparse/partition.h"
+#include "gyromode/sparse/matrix.h"
 #include "gyromode/sparse/resting.h"
+#include "gyromode/sparse/subspace.h"
 
 #include <fmt/format.h>
 
@@ -29,6 +31,12 @@ constexpr Index most_at_one_shift = 60;
 Index most_applied(Index wanted) {
   constexpr Index start = 1200, each = 30;
   return start + each * wanted;
+}
+
+Matrix parts_of(const ComplexVector& shape) {
+  Matrix parts(shape.size(), 2);
+  parts << shape.real(), shape.imag();
+  return parts;
 }
 
 Index converged_in(const std::vector<Search::Expected>& inside) {
@@ -58,11 +66,15 @@ SparseSpectrum::SparseSpectrum(const SparseSystem& system, const Progress& progr
   close_balance(progress);
 }
 
-// n₋(K) = k_r + 2k_c + 2k₋ with roots that were shown to exist.
+// n₋(K) = k_r + 2k_c + 2k₋ with roots that were shown to exist. Motions of negative energy have ω < γ/2, γ ≥
+// ‖M^−½GM^−½‖, as 2ω XᴴMX < Xᴴ(jG)X: where what is near 0 does not close the balance, shifts up to there are tried. Of
+// searches that found the same motion one remains, by a projection on the shapes of all.
 void SparseSpectrum::close_balance(const Progress& progress) {
   const Index negative = balance_.negative;
   balance_.closed = negative == 0;
   if (balance_.closed) return;
+  sparse::Subspace shapes(system_, searches_.groups().across, searches_.groups().partition);
+  bool first = true;
   const auto take = [&](const Search::Found& f) {
     negative_.clear();
     unstable_.clear();
@@ -77,15 +89,38 @@ void SparseSpectrum::close_balance(const Progress& progress) {
     balance_.quadruples = static_cast<Index>(unstable_.size()) - balance_.real_pairs;
     balance_.negative_energy = static_cast<Index>(negative_.size());
     balance_.closed = balance_.real_pairs + 2 * balance_.quadruples + 2 * balance_.negative_energy == negative;
-    return balance_.closed;
+    return balance_.closed || !first;
   };
-  at_zero_ = searches_.about(0, negative + 8);
+  const auto keep = [&] {
+    for (const RitzMode& m : negative_) shapes.add(parts_of(m.shape));
+    for (const RitzUnstable& u : unstable_) shapes.add(parts_of(u.shape));
+  };
   sparse::Goal goal;
   goal.enough = [&](const auto&) { return goal.range; };
   goal.accepted = take;
   goal.missing = negative;
   goal.most_applied = most_applied(negative);
+  at_zero_ = searches_.about(0, negative + 8);
   take(search_for(*at_zero_, goal, progress));
+  const double farthest = 0.5 * system_.gyroscopic_bound().value_or(gyroscopic_size());
+  for (const double part : {0.5, 0.25, 0.75, 1.0}) {
+    if (balance_.closed || !(farthest > 0)) return;
+    if (first) keep();
+    first = false;
+    const auto search = searches_.about(part * farthest, negative + 8);
+    goal.most_applied = most_applied(negative) / 4;
+    goal.accepted = nullptr;
+    goal.enough = [](const auto&) { return std::optional<Window>(); };
+    take(search_for(*search, goal, progress));
+    keep();
+    take(measured_in(system_, searches_.norms(), shapes, {}));
+  }
+}
+
+// About ‖M^−½GM^−½‖, by its entries.
+double SparseSpectrum::gyroscopic_size() const {
+  const Vector root = system_.mass().diagonal().cwiseSqrt().cwiseInverse();
+  return sparse::norm1(SparseMatrix(root.asDiagonal() * system_.gyroscopic() * root.asDiagonal()));
 }
 
 std::string SparseSpectrum::open_reason() const {
@@ -204,7 +239,7 @@ SparseSpectrum::Modes SparseSpectrum::from_both_ends(double a, double b, Index e
 }
 
 // Wide windows in parts; narrow ones from both ends, or from a shift of their own where that did not do.
-SparseSpectrum::Modes SparseSpectrum::between(double a, double b, Index expected, const Progress& progress) const {
+SparseSpectrum::Modes SparseSpectrum::between(double a, double b, Index expected, const Progress& progress, int depth) const {
   if (expected <= 0) return {};
   constexpr double narrowest = 1e-6;
   constexpr double near_a_mode = 1e-9;  // of the margin: a shift as near as that hides the others behind one root
@@ -217,7 +252,13 @@ SparseSpectrum::Modes SparseSpectrum::between(double a, double b, Index expected
   const bool ends_serve = a > 0 && margin_at(a) > near_a_mode && margin_at(b) > near_a_mode;
   Modes all = a == 0 ? about(0, a, b, expected, progress) : ends_serve ? from_both_ends(a, b, expected, progress) : Modes();
   if (static_cast<Index>(all.size()) == expected) return all;
-  Modes other = about(middle_of(a, b), a, b, expected, progress);
+  const double middle = middle_of(a, b);
+  Modes other = about(middle, a, b, expected, progress);
+  if (other.size() > all.size()) all.swap(other);
+  if (static_cast<Index>(all.size()) == expected || depth == 0) return all;
+  // In halves, as counts say where something is missing.
+  other = between(a, middle, expected_in(a, middle), progress, depth - 1);
+  for (RitzMode& m : between(middle, b, expected_in(middle, b), progress, depth - 1)) other.push_back(std::move(m));
   return other.size() > all.size() ? other : all;
 }
 

@@ -38,10 +38,11 @@ class SparseSpectrum : public CountedSpectrum {
   using Modes = std::vector<sparse::RitzMode>;
   void close_balance(const Progress& progress);
   /// As many modes of [a, b) as are counted there, `expected`, or those that were found.
-  Modes between(double a, double b, Index expected, const Progress& progress) const;
+  Modes between(double a, double b, Index expected, const Progress& progress, int depth = 3) const;
   Modes from_both_ends(double a, double b, Index expected, const Progress& progress) const;
   Modes about(double sigma, double a, double b, Index expected, const Progress& progress) const;
   Index expected_in(double a, double b) const;
+  double gyroscopic_size() const;
   double margin_at(double omega) const;
   double middle_of(double a, double b) const;
   double gap_after(const Modes& roots, Index count) const;

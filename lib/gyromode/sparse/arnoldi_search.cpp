@@ -14,8 +14,8 @@ constexpr Index width = 8;
 
 // Twice the shapes that so many motions have, in phase and in quadrature, and some blocks.
 Index room_for(Index wanted) {
-  constexpr Index blocks = 12, motions = 4;
-  return motions * wanted + blocks * width;
+  constexpr Index motions = 4, blocks = 12, least = 240;
+  return std::max(motions * wanted + blocks * width, least);
 }
 
 // Roots in the order of their distance from the shift, with how converged they are.
