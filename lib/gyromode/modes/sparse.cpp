@@ -15,6 +15,22 @@ std::unique_ptr<lapack::BlasOnOneThread> few_threads(Index n) {
   return n < large_fronts ? std::make_unique<lapack::BlasOnOneThread>() : nullptr;
 }
 
+// Where motions of negative energy are too many to be looked for one by one the dense engine has all of them.
+bool serves_dense(const SparseSystem& s) {
+  constexpr Index most = 2000;
+  return s.size() <= most && !s.basis() && !s.singular_mass();
+}
+
+System dense_of(const SparseSystem& s) {
+  const auto full = [](const SparseMatrix& lower, double sign) {
+    const Matrix below = lower;
+    Matrix all = below + sign * below.transpose();
+    if (sign > 0) all.diagonal() = below.diagonal();
+    return all;
+  };
+  return System(full(s.mass(), 1), full(s.gyroscopic(), -1), full(s.stiffness(), 1));
+}
+
 }  // namespace
 
 ModesResult find_modes(const SparseSystem& system, const ModesOptions& options) {
@@ -23,13 +39,17 @@ ModesResult find_modes(const SparseSystem& system, const ModesOptions& options) 
   if (options.method != Method::automatic)
     throw NotApplicable("a sparse model has one method, 'auto': the others serve dense matrices and spacecraft");
   const auto threads = few_threads(system.size());
-  return modes_of(SparseSpectrum(system, options.progress), options);
+  const SparseSpectrum spectrum(system, options.progress);
+  if (!spectrum.balance().closed && serves_dense(system)) return find_modes(dense_of(system), options);
+  return modes_of(spectrum, options);
 }
 
 CountResult count_modes(const SparseSystem& system, const Window& window) {
   require_window(window);
   const auto threads = few_threads(system.size());
-  return count_of(SparseSpectrum(system), window);
+  const SparseSpectrum spectrum(system);
+  if (!spectrum.balance().closed && serves_dense(system)) return count_modes(dense_of(system), window);
+  return count_of(spectrum, window);
 }
 
 }  // namespace gyromode

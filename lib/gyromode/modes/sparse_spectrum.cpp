@@ -26,6 +26,7 @@ using sparse::Search;
 
 constexpr double worst_residual = 1e-10;  // of a root that is listed
 constexpr Index most_at_one_shift = 60;
+constexpr Index most_negative = 300;      // of n₋(K): so many motions are looked for, one by one
 
 // Columns after which a search is given up: some thirty for every root, and what a bad start takes.
 Index most_applied(Index wanted) {
@@ -72,7 +73,7 @@ SparseSpectrum::SparseSpectrum(const SparseSystem& system, const Progress& progr
 void SparseSpectrum::close_balance(const Progress& progress) {
   const Index negative = balance_.negative;
   balance_.closed = negative == 0;
-  if (balance_.closed) return;
+  if (balance_.closed || negative > most_negative) return;
   sparse::Subspace shapes(system_, searches_.groups().across, searches_.groups().partition);
   bool first = true;
   const auto take = [&](const Search::Found& f) {
@@ -124,6 +125,8 @@ double SparseSpectrum::gyroscopic_size() const {
 }
 
 std::string SparseSpectrum::open_reason() const {
+  if (balance_.negative > most_negative)
+    return fmt::format("n₋(K) = {}: the motions that take so many negative directions are not looked for beyond {}", balance_.negative, most_negative);
   return fmt::format("the index balance does not close: of n₋(K) = {} the motions found near ω = 0 make {}", balance_.negative,
                      balance_.real_pairs + 2 * balance_.quadruples + 2 * balance_.negative_energy);
 }
@@ -268,7 +271,7 @@ RootRange SparseSpectrum::roots(const Window& range, const Progress& progress) c
 }
 
 bool SparseSpectrum::close_at_rest(const Modes& lowest, Index wanted, const Progress& progress) const {
-  if (balance_.negative > 0 || !system_.gyroscopic_bound()) return false;
+  if (balance_.negative > 0 || !system_.gyroscopic_bound() || static_cast<Index>(lowest.size()) <= wanted) return false;
   const double gamma = *system_.gyroscopic_bound();
   const Vector resting = sparse::resting_squares(system_, lowest);
   // At the widest gap where as many modes at rest are expected below as there are modes.
@@ -319,25 +322,42 @@ std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window&
   };
   Search::Found f = search_for(*at_zero_, goal, progress);
   keep_listable(f.modes);
-  if (f.modes.empty()) throw NotConverged("no mode has converged: ask for a window, which is searched from its ends");
   while (f.modes.size() > 1 && f.modes.back().omega > last) f.modes.pop_back();
   const Modes& low = f.modes;
+  if (!balance_.closed) {  // counts say nothing of how many there are
+    RootRange some = range_of(low);
+    some.all_below = gap_after(low, std::min(count, static_cast<Index>(low.size()) - 1));
+    if (some.all_below == 0) throw NotConverged("no mode near 0 has converged: ask for a window, which is searched from its ends");
+    return some;
+  }
+  const std::vector<Search::Expected> expected = at_zero_->look();
+  if (low.empty() && expected.empty()) throw NotConverged("no mode near 0 was found: ask for a window, which is searched from its ends");
+  double end = low.empty() ? expected.front().omega : low.back().omega;
   if (count <= most_at_one_shift) {
     if (close_at_rest(low, count, progress)) return range_of(std::move(f.modes));
     if (static_cast<Index>(low.size()) > count) {
-      const double end = gap_after(low, count);
-      if (end > 0 && expected_in(0, end) == std::count_if(low.begin(), low.end(), [&](const RitzMode& m) { return m.omega < end; }))
+      const double gap = gap_after(low, count);
+      if (gap > 0 && expected_in(0, gap) == std::count_if(low.begin(), low.end(), [&](const RitzMode& m) { return m.omega < gap; }))
         return range_of(std::move(f.modes));
     }
   }
-  // Farther up until there are as many by count; modes of an elastic body become denser.
-  double end = low.back().omega;
-  Index there = expected_in(0, end = clear_of_roots(end));
-  while (there < count + 1 && end < range.b) {
+  // Farther up until there are as many by count, and back where that was much too far.
+  double below = 0;
+  end = clear_of_roots(end);
+  Index there = expected_in(0, end);
+  while (there <= count && end < range.b) {
     constexpr double least = 1.1, most = 2;
+    below = end;
     const double wanted = static_cast<double>(count + more) / static_cast<double>(std::max<Index>(there, 1));
     end = std::min(clear_of_roots(end * std::clamp(wanted, least, most)), range.b);
     there = expected_in(0, end);
+  }
+  constexpr int most_halvings = 40;
+  for (int k = 0; k < most_halvings && there > 2 * count + most_at_one_shift; ++k) {
+    const double middle = middle_of(below, end);
+    const Index in_half = expected_in(0, middle);
+    (in_half > count ? end : below) = middle;
+    if (in_half > count) there = in_half;
   }
   RootRange all = range_of(between(0, end, there, progress));
   all.all_below = end;
@@ -346,7 +366,7 @@ std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window&
 
 // The middle of the first gap after `count` of ascending roots that is wider than their errors; 0 where there is none.
 double SparseSpectrum::gap_after(const Modes& roots, Index count) const {
-  for (std::size_t k = static_cast<std::size_t>(count); k < roots.size(); ++k) {
+  for (std::size_t k = static_cast<std::size_t>(std::max<Index>(count, 1)); k < roots.size(); ++k) {
     const double from = roots[k - 1].omega + 4 * roots[k - 1].error_bound, to = roots[k].omega - 4 * roots[k].error_bound;
     if (to > from) return 0.5 * (from + to);
   }
