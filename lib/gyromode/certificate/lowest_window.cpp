@@ -38,7 +38,9 @@ FilledWindow lowest_window(const CountedSpectrum& s, Index lowest, const Window&
     if (all[i].omega < requested.a) continue;
     if (!all[i].rigid_body) ++seen;
     const double from = all[i].omega + 4 * all[i].error, to = all[i + 1].omega - 4 * all[i + 1].error;
-    if (seen >= lowest && to > from) return {{requested.a, std::min(0.5 * (from + to), requested.b)}, std::move(found)};
+    if (seen < lowest || !(to > from)) continue;
+    const double middle = 0.5 * (from + to), end = found.all_below > from ? std::min(middle, found.all_below) : middle;
+    return {{requested.a, std::min(end, requested.b)}, std::move(found)};
   }
   if (found.all_below > 0) return {{requested.a, std::min(found.all_below, requested.b)}, std::move(found)};
   return {{requested.a, b}, std::move(found)};

@@ -133,7 +133,7 @@ std::string SparseSpectrum::open_reason() const {
 
 Inertia SparseSpectrum::inertia_at(double omega) const {
   Inertia i;
-  if (omega < known_below_) {  // between roots that are all there are
+  if (omega <= known_below_) {  // between roots that are all there are
     i.margin = 1;
     for (const CountedRoot& r : lowest_) {
       if (std::abs(r.omega - omega) <= r.error) i.margin = 0;
@@ -292,7 +292,8 @@ bool SparseSpectrum::close_at_rest(const Modes& lowest, Index wanted, const Prog
   }
   if (below == 0) return false;
   progress.stage("counts of the modes at rest");
-  if (sparse::negative_at_rest(system_, searches_.groups(), sigma * (sigma + gamma)) != below) return false;
+  const Index at_rest = sparse::negative_at_rest(system_, searches_.groups(), sigma * (sigma + gamma));
+  if (at_rest != below) return false;
   known_below_ = sigma;
   lowest_.clear();
   for (Index k = 0; k < below; ++k) {
@@ -334,7 +335,11 @@ std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window&
   if (low.empty() && expected.empty()) throw NotConverged("no mode near 0 was found: ask for a window, which is searched from its ends");
   double end = low.empty() ? expected.front().omega : low.back().omega;
   if (count <= most_at_one_shift) {
-    if (close_at_rest(low, count, progress)) return range_of(std::move(f.modes));
+    if (close_at_rest(low, count, progress)) {
+      RootRange all = range_of(std::move(f.modes));
+      all.all_below = known_below_;
+      return all;
+    }
     if (static_cast<Index>(low.size()) > count) {
       const double gap = gap_after(low, count);
       if (gap > 0 && expected_in(0, gap) == std::count_if(low.begin(), low.end(), [&](const RitzMode& m) { return m.omega < gap; }))

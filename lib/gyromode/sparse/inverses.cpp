@@ -47,24 +47,72 @@ Matrix energy_of(const SparseSystem& s, const Matrix& u) {
 }  // namespace
 
 InverseOfBlocks::InverseOfBlocks(const SparseSystem& system, const Groups& groups, const StiffnessFactors& stiffness, Index first)
-    : system_(system), groups_(groups), stiffness_(stiffness), first_(first), coupling_(coupling_from(system, groups, first)) {}
+    : system_(system),
+      groups_(groups),
+      stiffness_(stiffness),
+      first_(first),
+      leading_(static_cast<Index>(groups.rows[static_cast<std::size_t>(first)].size())) {
+  const std::vector<Index>&one = groups.rows[static_cast<std::size_t>(first)], &two = groups.rows[static_cast<std::size_t>(1 - first)];
+  k_ = restricted(system.stiffness(), one);
+  m_first_ = restricted(system.mass(), one);
+  m_second_ = restricted(system.mass(), two);
+  coupling_ = block_of(coupling_from(system, groups, first), one, two);
+}
 
 States InverseOfBlocks::start(const Matrix& shapes) const {
-  return apply({shapes, symmetric_times(system_.mass(), shapes)});  // what the first group has of E u is not looked at
+  const Matrix x = states(shapes);
+  States u{x, Matrix(x.rows(), x.cols())};
+  settle(u);  // what the first group has of E u is not looked at
+  return apply(u);
 }
 
 States InverseOfBlocks::apply(const States& u) const {
-  const std::vector<Index>& one = groups_.rows[static_cast<std::size_t>(first_)];
-  if (stiffness_.blocks() == 1) {  // the other group is empty
-    const Matrix mx = symmetric_times(system_.mass(), u.x);
-    return {stiffness_.solve(0, mx), mx};
+  const Index n = system_.size(), m = u.x.cols(), rest = n - leading_;
+  States w{Matrix(n, m), Matrix(n, m)};
+  const Matrix x = u.x.topRows(leading_);
+  Matrix g = symmetric_times(m_first_, x);
+  if (rest > 0) {
+    const Matrix y = stiffness_.solve_block(1 - first_, transposed_times(coupling_, x) - u.ex.bottomRows(rest));
+    g += times(coupling_, y);
+    w.x.bottomRows(rest) = -y;
+    w.ex.bottomRows(rest) = -symmetric_times(m_second_, y);
   }
-  const Matrix x = rows_of(one, u.x), y = stiffness_.solve(1 - first_, symmetric_times(coupling_, x) - u.ex), xy = x + y;
-  const Matrix m = symmetric_times(system_.mass(), xy), g = m + symmetric_times(coupling_, xy);
-  return {stiffness_.solve(first_, g) - y, joined(one, g, -m)};
+  w.ex.topRows(leading_) = g;
+  w.x.topRows(leading_) = stiffness_.solve_block(stiffness_.blocks() == 1 ? 0 : first_, std::move(g));
+  return w;
 }
 
-Matrix InverseOfBlocks::inner(const Matrix& x) const { return inner_of(system_, groups_, first_, x); }
+Matrix InverseOfBlocks::inner(const Matrix& x) const {
+  Matrix e(x.rows(), x.cols());
+  e.topRows(leading_) = symmetric_times(k_, x.topRows(leading_));
+  e.bottomRows(x.rows() - leading_) = symmetric_times(m_second_, x.bottomRows(x.rows() - leading_));
+  return e;
+}
+
+void InverseOfBlocks::settle(States& u) const {
+  const Index rest = u.x.rows() - leading_;
+  u.ex.bottomRows(rest) = symmetric_times(m_second_, u.x.bottomRows(rest));
+}
+
+Matrix InverseOfBlocks::shapes(const Matrix& states) const {
+  Matrix x(states.rows(), states.cols());
+  const std::vector<Index>&one = groups_.rows[static_cast<std::size_t>(first_)], &two = groups_.rows[static_cast<std::size_t>(1 - first_)];
+  for (Index j = 0; j < x.cols(); ++j) {
+    for (std::size_t i = 0; i < one.size(); ++i) x(one[i], j) = states(static_cast<Index>(i), j);
+    for (std::size_t i = 0; i < two.size(); ++i) x(two[i], j) = states(leading_ + static_cast<Index>(i), j);
+  }
+  return x;
+}
+
+Matrix InverseOfBlocks::states(const Matrix& in_order) const {
+  Matrix u(in_order.rows(), in_order.cols());
+  const std::vector<Index>&one = groups_.rows[static_cast<std::size_t>(first_)], &two = groups_.rows[static_cast<std::size_t>(1 - first_)];
+  for (Index j = 0; j < u.cols(); ++j) {
+    for (std::size_t i = 0; i < one.size(); ++i) u(static_cast<Index>(i), j) = in_order(one[i], j);
+    for (std::size_t i = 0; i < two.size(); ++i) u(leading_ + static_cast<Index>(i), j) = in_order(two[i], j);
+  }
+  return u;
+}
 
 InverseAtShift::InverseAtShift(const SparseSystem& system, const Groups& groups, std::shared_ptr<const ShiftedFactor> impedance,
                                Index first)
@@ -93,6 +141,11 @@ States InverseAtShift::apply(const States& u) const {
 
 Matrix InverseAtShift::inner(const Matrix& x) const { return inner_of(system_, groups_, first_, x); }
 
+void InverseAtShift::settle(States& u) const {
+  const std::vector<Index>& one = groups_.rows[static_cast<std::size_t>(first_)];
+  u.ex = joined(one, u.ex, symmetric_times(system_.mass(), u.x));
+}
+
 States InverseOfMotion::start(const Matrix& shapes) const {
   const Matrix m = symmetric_times(system_.mass(), shapes);
   States w{Matrix::Zero(length(), shapes.cols()), Matrix::Zero(length(), shapes.cols())};
@@ -111,6 +164,11 @@ States InverseOfMotion::apply(const States& u) const {
 }
 
 Matrix InverseOfMotion::inner(const Matrix& x) const { return energy_of(system_, x); }
+
+void InverseOfMotion::settle(States& u) const {
+  const Index n = system_.size();
+  u.ex.bottomRows(n) = symmetric_times(system_.mass(), u.x.bottomRows(n));
+}
 
 States InverseOfMotionAtShift::start(const Matrix& shapes) const {
   Matrix x = Matrix::Zero(length(), shapes.cols());
@@ -133,6 +191,11 @@ States InverseOfMotionAtShift::apply(const States& u) const {
 }
 
 Matrix InverseOfMotionAtShift::inner(const Matrix& x) const { return energy_of(system_, x); }
+
+void InverseOfMotionAtShift::settle(States& u) const {
+  const Index n = system_.size();
+  u.ex.bottomRows(n) = symmetric_times(system_.mass(), u.x.bottomRows(n));
+}
 
 Matrix InverseOfMotionAtShift::shapes(const Matrix& states) const {
   Matrix both(system_.size(), 2 * states.cols());

@@ -21,16 +21,19 @@ class InverseOfBlocks : public Inverse {
   States start(const Matrix& shapes) const override;
   States apply(const States& u) const override;
   Matrix inner(const Matrix& x) const override;
+  void settle(States& u) const override;
   double square(double theta) const override { return 1 / theta; }
-  Matrix shapes(const Matrix& states) const override { return states; }
   Index leading_group() const override { return first_; }
+  Matrix shapes(const Matrix& states) const override;
+  Matrix states(const Matrix& shapes) const override;
 
  private:
+  // States have x above and ẏ below.
   const SparseSystem& system_;
   const Groups& groups_;
   const StiffnessFactors& stiffness_;
-  Index first_;
-  SparseMatrix coupling_;
+  Index first_, leading_;
+  SparseMatrix k_, m_first_, m_second_, coupling_;  // K₁, M₁, M₂ by lower triangles, B
 };
 
 /// With a partition and K₁ > 0:  (A² + σ²)⁻¹ on u = (x, ẏ), self-adjoint in E = diag(K₁, M₂); θ = 1/(σ² − ω²), by one
@@ -44,6 +47,7 @@ class InverseAtShift : public Inverse {
   States start(const Matrix& shapes) const override;
   States apply(const States& u) const override;
   Matrix inner(const Matrix& x) const override;
+  void settle(States& u) const override;
   double square(double theta) const override { return impedance_->shift * impedance_->shift - 1 / theta; }
   Matrix shapes(const Matrix& states) const override { return states; }
   Index leading_group() const override { return first_; }
@@ -67,6 +71,7 @@ class InverseOfMotion : public Inverse {
   States start(const Matrix& shapes) const override;
   States apply(const States& u) const override;
   Matrix inner(const Matrix& x) const override;
+  void settle(States& u) const override;
   double square(double theta) const override { return 1 / (theta * theta); }
   Matrix shapes(const Matrix& states) const override { return states.topRows(system_.size()); }
 
@@ -86,6 +91,7 @@ class InverseOfMotionAtShift : public Inverse {
   States start(const Matrix& shapes) const override;
   States apply(const States& u) const override;
   Matrix inner(const Matrix& x) const override;
+  void settle(States& u) const override;
   double square(double theta) const override { return impedance_->shift * impedance_->shift - 1 / theta; }
   bool motions() const override { return false; }
   Matrix shapes(const Matrix& states) const override;

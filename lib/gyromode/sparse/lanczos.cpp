@@ -24,9 +24,10 @@ Lanczos::Lanczos(const Inverse& inverse, Index n, Index width, Index most)
   refresh(width);
 }
 
-// Against U twice, and among themselves: W = U onto + (what is returned) rest. The first time with E W as the operator
-// gave it, which has no rounding of K in it: parts along the lowest modes are large. What is left of a column below
-// 10⁻¹⁰ of it is rounding.
+// Against U twice, and among themselves: W = U onto + (what is returned) rest. What is left of a column below 10⁻¹⁰ of
+// it is rounding. Of the first blocks, which hold the lowest modes, E W is carried along as the operator gave it: a
+// product with K would have rounding of ε‖K‖‖w‖². What is carried drifts away by a factor from block to block, so that
+// later ones, which hold little of the lowest modes, have it by products.
 States Lanczos::orthonormalised(States w, Matrix& onto, Matrix& rest) const {
   const auto u = u_.leftCols(size_);
   const Index m = w.x.cols();
@@ -41,25 +42,35 @@ States Lanczos::orthonormalised(States w, Matrix& onto, Matrix& rest) const {
     const Matrix c = lapack::multiply_tn(u, w.ex);
     lapack::multiply_into(w.x, -1, u, false, c, false, 1);
     onto += c * rest;
-    w.ex = inverse_.inner(w.x);
+    if (carried())
+      lapack::multiply_into(w.ex, -1, eu_.leftCols(size_), false, c, false, 1);
+    else
+      w.ex = inverse_.inner(w.x);
     const Matrix gram = lapack::multiply_tn(w.x, w.ex), t = orthonormal_combinations(gram, least);
     w.x = w.x * t;
     w.ex = w.ex * t;
     rest = (t.transpose() * gram) * rest;
   }
+  if (carried()) inverse_.settle(w);
   onto = onto * scale.asDiagonal();
   rest = rest * scale.asDiagonal();
   return w;
 }
 
-void Lanczos::append(const Matrix& block) {
-  const Index m = block.cols();
+void Lanczos::append(const States& block) {
+  const Index m = block.x.cols();
   if (size_ + m > u_.cols()) {
     const Index room = std::max(most_, size_ + m);
     u_.conservativeResize(inverse_.length(), room);
     h_.conservativeResize(room, room);
   }
-  u_.middleCols(size_, m) = block;
+  u_.middleCols(size_, m) = block.x;
+  if (++blocks_ > most_carried) {
+    eu_.resize(0, 0);
+  } else {
+    if (size_ + m > eu_.cols()) eu_.conservativeResize(inverse_.length(), std::max(size_ + m, std::min(most_, most_carried * width_)));
+    eu_.middleCols(size_, m) = block.ex;
+  }
   last_ = m;
   size_ += m;
 }
@@ -76,7 +87,7 @@ bool Lanczos::step() {
   if (next_.x.cols() == 0) return false;
   if (size_ + next_.x.cols() > most_) restart();
   const Index first = size_;
-  append(next_.x);
+  append(next_);
   const Index m = last_;
   States w = inverse_.apply(next_);
   applied_ += m;
@@ -126,6 +137,8 @@ Matrix Lanczos::refined(const Matrix& coefficients) const {
 
 // The outermost half is kept; what is next stays next, and its products with what is kept come with the next step.
 void Lanczos::restart() {
+  blocks_ = most_carried + 1;
+  eu_.resize(0, 0);
   const Ritz r = ritz();
   const bool pairs = r.im.size() > 0;
   const Index kept = std::min<Index>(r.theta.size(), (most_ / 2) / (pairs ? 2 : 1));

@@ -36,7 +36,10 @@ class Lanczos {
   Index applied() const { return applied_; }  ///< columns that the operator was applied to
 
  private:
-  void append(const Matrix& block);
+  static constexpr Index most_carried = 14;  // blocks
+
+  void append(const States& block);
+  bool carried() const { return blocks_ <= most_carried; }
   void restart();
   States orthonormalised(States w, Matrix& onto, Matrix& rest) const;
 
@@ -45,6 +48,8 @@ class Lanczos {
   Index size_ = 0, last_ = 0, applied_ = 0;
   unsigned draws_ = 0;
   Matrix u_, h_;
+  Matrix eu_;  // E U of the first blocks
+  Index blocks_ = 0;
   States next_;
   Matrix rest_;  // R
 };

@@ -78,13 +78,14 @@ Search::Found LanczosSearch::measured_motions(const Lanczos::Ritz& r, const std:
   const Vector all = Eigen::Map<const Vector>(omega.data(), static_cast<Index>(omega.size()));
   const StateKind kind{r.im.size() > 0, inverse_->leading_group()};
   const Index m = static_cast<Index>(chosen.size());
+  const auto in_order = [&](Matrix u) { return kind.pairs ? u : inverse_->shapes(u); };
   const auto each_piece = [&](const auto& see) {
     for (Index at = 0; at < m; at += width) see(at, std::min<Index>(width, m - at));
   };
   Matrix first(inverse_->length(), m), second(inverse_->length(), kind.pairs ? m : 0);
   each_piece([&](Index at, Index some) {
     const std::vector<Index> which = some_of(chosen, static_cast<std::size_t>(at));
-    first.middleCols(at, some) = lanczos_.refined(r.re(Eigen::all, which));
+    first.middleCols(at, some) = in_order(lanczos_.refined(r.re(Eigen::all, which)));
     if (kind.pairs) second.middleCols(at, some) = lanczos_.refined(r.im(Eigen::all, which));
   });
   const Vector expected = r.theta(chosen).unaryExpr([&](double theta) { return std::sqrt(inverse_->square(theta)); });
@@ -106,7 +107,8 @@ Search::Found LanczosSearch::measured_motions(const Lanczos::Ritz& r, const std:
         block.im.col(k) = mode.shape.imag();
       }
       StatesOfMotions s = states_of(groups_, kind, block);
-      first.middleCols(at, some) = inverse_->apply({s.first, inverse_->inner(s.first)}).x;
+      const Matrix u = kind.pairs ? std::move(s.first) : inverse_->states(s.first);
+      first.middleCols(at, some) = in_order(inverse_->apply({u, inverse_->inner(u)}).x);
       if (kind.pairs) second.middleCols(at, some) = inverse_->apply({s.second, inverse_->inner(s.second)}).x;
     });
   }

@@ -12,7 +12,7 @@ constexpr Index together = 8;
 
 // y = (L + sign Lᵀ) x without the diagonal twice, of |L| where moduli are asked for.
 template <bool moduli>
-Matrix times(const SparseMatrix& lower, const Matrix& x, double sign) {
+Matrix lower_times(const SparseMatrix& lower, const Matrix& x, double sign) {
   const Index n = x.rows();
   Matrix y(n, x.cols());
   std::vector<double> in(static_cast<std::size_t>(n * together)), out(in.size());
@@ -50,11 +50,11 @@ Matrix times(const SparseMatrix& lower, const Matrix& x, double sign) {
 
 }  // namespace
 
-Matrix symmetric_times(const SparseMatrix& lower, const Matrix& x) { return times<false>(lower, x, 1); }
-Matrix skew_times(const SparseMatrix& below, const Matrix& x) { return times<false>(below, x, -1); }
+Matrix symmetric_times(const SparseMatrix& lower, const Matrix& x) { return lower_times<false>(lower, x, 1); }
+Matrix skew_times(const SparseMatrix& below, const Matrix& x) { return lower_times<false>(below, x, -1); }
 
 Vector sizes_of(const SparseMatrix& lower, const Matrix& moduli) {
-  return moduli.cwiseProduct(times<true>(lower, moduli, 1)).colwise().sum();
+  return moduli.cwiseProduct(lower_times<true>(lower, moduli, 1)).colwise().sum();
 }
 
 double norm1(const SparseMatrix& lower) {
@@ -81,6 +81,65 @@ SparseMatrix restricted(const SparseMatrix& lower, const std::vector<Index>& cho
   SparseMatrix a(static_cast<Index>(chosen.size()), static_cast<Index>(chosen.size()));
   a.setFromTriplets(entries.begin(), entries.end());
   return a;
+}
+
+Matrix times(const SparseMatrix& b, const Matrix& x) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, together, Eigen::RowMajor>;
+  Matrix y(b.rows(), x.cols());
+  for (Index first = 0; first < x.cols(); first += together) {
+    const Index m = std::min(together, x.cols() - first);
+    Rows in = Rows::Zero(x.rows(), together), out = Rows::Zero(b.rows(), together);
+    in.leftCols(m) = x.middleCols(first, m);
+    for (Index j = 0; j < b.cols(); ++j) {
+      const double* from = in.data() + j * together;
+      for (SparseMatrix::InnerIterator it(b, j); it; ++it) {
+        double* to = out.data() + it.row() * together;
+        for (Index c = 0; c < together; ++c) to[c] += it.value() * from[c];
+      }
+    }
+    y.middleCols(first, m) = out.leftCols(m);
+  }
+  return y;
+}
+
+Matrix transposed_times(const SparseMatrix& b, const Matrix& x) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, together, Eigen::RowMajor>;
+  Matrix y(b.cols(), x.cols());
+  for (Index first = 0; first < x.cols(); first += together) {
+    const Index m = std::min(together, x.cols() - first);
+    Rows in = Rows::Zero(x.rows(), together), out(b.cols(), together);
+    in.leftCols(m) = x.middleCols(first, m);
+    for (Index j = 0; j < b.cols(); ++j) {
+      double sum[together] = {};
+      for (SparseMatrix::InnerIterator it(b, j); it; ++it) {
+        const double* from = in.data() + it.row() * together;
+        for (Index c = 0; c < together; ++c) sum[c] += it.value() * from[c];
+      }
+      std::copy(sum, sum + together, out.data() + j * together);
+    }
+    y.middleCols(first, m) = out.leftCols(m);
+  }
+  return y;
+}
+
+SparseMatrix block_of(const SparseMatrix& lower, const std::vector<Index>& rows, const std::vector<Index>& columns) {
+  std::vector<Index> row(static_cast<std::size_t>(lower.rows()), -1), column = row;
+  for (std::size_t k = 0; k < rows.size(); ++k) row[static_cast<std::size_t>(rows[k])] = static_cast<Index>(k);
+  for (std::size_t k = 0; k < columns.size(); ++k) column[static_cast<std::size_t>(columns[k])] = static_cast<Index>(k);
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto put = [&](Index i, Index j, double value) {
+    const Index r = row[static_cast<std::size_t>(i)], c = column[static_cast<std::size_t>(j)];
+    if (r >= 0 && c >= 0) entries.emplace_back(static_cast<int>(r), static_cast<int>(c), value);
+  };
+  for (Index j = 0; j < lower.outerSize(); ++j) {
+    for (SparseMatrix::InnerIterator it(lower, j); it; ++it) {
+      put(it.row(), j, it.value());
+      if (it.row() != j) put(j, it.row(), it.value());
+    }
+  }
+  SparseMatrix b(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
+  b.setFromTriplets(entries.begin(), entries.end());
+  return b;
 }
 
 }  // namespace gyromode::sparse

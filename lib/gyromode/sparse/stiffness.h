@@ -25,6 +25,8 @@ class StiffnessFactors {
   bool definite(Index block) const;
   /// K⁻¹B in the rows of one block; the other rows of B are not looked at, and come back as 0. n × m
   Matrix solve(Index block, const Matrix& b) const;
+  /// The same of the rows of that block alone.
+  Matrix solve_block(Index block, Matrix b) const { return blocks_[static_cast<std::size_t>(block)].factor->solve(std::move(b)); }
   double megabytes() const;
 
  private:
