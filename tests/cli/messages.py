@@ -143,6 +143,20 @@ of_mesh(2, "cannot be opened", "modes", "--lowest", "1", text=STRUCTURE.replace(
 of_mesh(3, "mass couples 7.y and 7.x", "modes", "--lowest", "1", files={"a.mas": "1 1 2.0\n1 2 0.5\n2 2 2.0\n"})
 of_mesh(3, "node 7 has rotations (direction 4)", "modes", "--lowest", "1", files={"a.dof": "7.1\n7.4\n"})
 of_mesh(3, "M must be positive definite: its diagonal entry of 7.x is -2", "modes", "--lowest", "1", files={"a.mas": "1 1 -2.0\n2 2 -2.0\n"})
+MESH = STRUCTURE + 'coordinates = "a.csv"\n'
+def placed(code, words, nodes="node,x,y,z\n7,1,0,0\n", more=""):
+    of_mesh(code, words, "modes", "--lowest", "1", files={"a.csv": nodes}, text=MESH + more)
+placed(0, "complete: found 1")
+placed(0, "complete: found 1", nodes="** deck\n*NODE, NSET=all\n7, 1.0, 0.\n*ELEMENT, TYPE=C3D8\n1,7,7\n")
+placed(2, "a.csv: has no node 7, which a.dof has coordinates of", nodes="8,1,0,0\n")
+placed(2, "a.csv:1: node 7 has 2 coordinates: node,x,y,z was expected", nodes="7,1,0\n")
+placed(2, "a.csv:2: 'x' is no coordinate of node 7: a number was expected", nodes="node,x,y,z\n7,x,0,0\n")
+placed(2, "a.csv:2: node 7 is given a second time (first on line 1)", nodes="7,1,0,0\n7,1,0,0\n")
+placed(2, "has no *NODE block with nodes in it", nodes="*INCLUDE, INPUT=b.inp\n")
+placed(2, "'mirror' has 2 numbers: the three of a direction were expected", more="mirror = [0, 1]\n")
+placed(2, "'mirror' and 'half_turn' are given: one of them was expected", more="mirror = [0, 1, 0]\nhalf_turn = [1, 0, 0]\n")
+placed(3, "mirror plane with normal z, through the axis of the spin does not reverse the spin", more="mirror = [0, 0, 1]\n")
+of_mesh(3, "needs the positions of the nodes: give coordinates =", "modes", "--lowest", "1", text=STRUCTURE + "mirror = [0, 1, 0]\n")
 # Unbalance
 def unbalanced(code, words, what, *more, model=ROTOR):
     said(code, words, "response", "m.toml", "--unbalance", what, *more, model=model)

@@ -166,6 +166,57 @@ TEST(SparseModes, AreThoseOfTheDenseEngine) {
   EXPECT_GT(compared, draws / 2);
 }
 
+// Copies of one chain: every frequency as many times as there are copies, more than a block has columns.
+TEST(SparseModes, ManyEqualRoots) {
+  const Index masses = 40, copies = 25;
+  const double spin = 0.02;
+  StructureParts one = chain(masses, spin), many = one;
+  many.coordinates.clear();
+  std::vector<Eigen::Triplet<double>> m, k;
+  const Index n = 2 * masses;
+  for (Index c = 0; c < copies; ++c) {
+    for (const MeshCoordinate& x : one.coordinates) many.coordinates.push_back({x.node + c * masses, x.direction});
+    for (const auto& [a, to] : {std::pair(&one.mass, &m), {&one.stiffness, &k}}) {
+      for (Index j = 0; j < n; ++j) {
+        for (SparseMatrix::InnerIterator it(*a, j); it; ++it)
+          to->emplace_back(static_cast<int>(it.row() + c * n), static_cast<int>(j + c * n), it.value());
+      }
+    }
+  }
+  many.mass.resize(copies * n, copies * n);
+  many.stiffness.resize(copies * n, copies * n);
+  many.mass.setFromTriplets(m.begin(), m.end());
+  many.stiffness.setFromTriplets(k.begin(), k.end());
+  const SparseSystem system(assembled(many));
+  const std::vector<double> once = known(masses, spin);
+  const auto expect = [&](const ModesResult& r, std::size_t from, std::size_t to) {
+    EXPECT_TRUE(r.is_complete()) << r.coverage.reason;
+    ASSERT_EQ(r.modes.size(), (to - from) * static_cast<std::size_t>(copies));
+    for (std::size_t i = 0; i < r.modes.size(); ++i) EXPECT_NEAR(r.modes[i].omega, once[from + i / static_cast<std::size_t>(copies)], 1e-10);
+  };
+  ModesOptions o;
+  o.window = {0.5 * (once[1] + once[2]), 0.5 * (once[4] + once[5])};
+  expect(find_modes(system, o), 2, 5);
+  o = {};
+  o.lowest = 30;
+  expect(find_modes(system, o), 0, 2);
+}
+
+// Ends on a mode, and 10⁻⁸ from one.
+TEST(SparseModes, EndsOnModes) {
+  const SparseSystem system(assembled(chain(1000, 0.0003)));
+  const std::vector<double> all = known(1000, 0.0003);
+  for (const double off : {0.0, 1e-8, -1e-8}) {
+    ModesOptions o;
+    o.window = {all[100] * (1 - off), all[120] * (1 + off)};
+    const ModesResult r = find_modes(system, o);
+    EXPECT_TRUE(r.is_complete()) << off << ": " << r.coverage.reason;
+    const auto expected = std::count_if(all.begin(), all.end(), [&](double w) { return r.coverage.window.contains(w); });
+    EXPECT_EQ(static_cast<Index>(r.modes.size()), expected) << off;
+    EXPECT_EQ(expected, off < 0 ? 19 : 21);
+  }
+}
+
 TEST(SparseModes, WhatIsRefused) {
   StructureParts p = chain(3, 0.1);
   StructureParts coupled = p;

@@ -71,15 +71,23 @@ double norm1(const SparseMatrix& lower) {
 SparseMatrix restricted(const SparseMatrix& lower, const std::vector<Index>& chosen) {
   std::vector<Index> place(static_cast<std::size_t>(lower.rows()), -1);
   for (std::size_t k = 0; k < chosen.size(); ++k) place[static_cast<std::size_t>(chosen[k])] = static_cast<Index>(k);
-  std::vector<Eigen::Triplet<double>> entries;
+  SparseMatrix a(static_cast<Index>(chosen.size()), static_cast<Index>(chosen.size()));
+  std::vector<int> sizes;
+  for (const Index j : chosen) {
+    int size = 0;
+    for (SparseMatrix::InnerIterator it(lower, j); it; ++it) size += place[static_cast<std::size_t>(it.row())] >= 0 ? 1 : 0;
+    sizes.push_back(size);
+  }
+  a.reserve(sizes);
+  Index column = 0;
   for (const Index j : chosen) {
     for (SparseMatrix::InnerIterator it(lower, j); it; ++it) {
       const Index i = place[static_cast<std::size_t>(it.row())];
-      if (i >= 0) entries.emplace_back(static_cast<int>(i), static_cast<int>(place[static_cast<std::size_t>(j)]), it.value());
+      if (i >= 0) a.insert(i, column) = it.value();
     }
+    ++column;
   }
-  SparseMatrix a(static_cast<Index>(chosen.size()), static_cast<Index>(chosen.size()));
-  a.setFromTriplets(entries.begin(), entries.end());
+  a.makeCompressed();
   return a;
 }
 
