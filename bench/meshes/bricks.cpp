@@ -9,7 +9,8 @@ namespace gyromode::bench {
 
 namespace {
 
-constexpr std::array<std::array<int, 3>, 8> corner{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+constexpr std::array<std::array<int, 3>, 8> corner{
+    {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
 
 using Element = Eigen::Matrix<double, 24, 24>;
 using Scalar8 = Eigen::Matrix<double, 8, 8>;

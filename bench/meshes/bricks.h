@@ -27,7 +27,8 @@ BrickMesh box(std::array<double, 3> size, std::array<int, 3> bricks, bool clampe
 /// `fine` bricks across every thickness.
 BrickMesh bladed_disc(int blades, int fine, double twist, double lean);
 
-/// M (consistent) and K (2 × 2 × 2 points, with the softening −Ω²M across the axis) in axes that turn at `spin` about z.
+/// M (consistent) and K (2 × 2 × 2 points, with the softening −Ω²M across the axis) in axes that turn at `spin` about
+/// z.
 StructureParts assembled_bricks(const BrickMesh& mesh, const Material& material, double spin);
 
 }  // namespace gyromode::bench

@@ -27,8 +27,7 @@ void write(const SparseMatrix& lower, const std::filesystem::path& path) {
   const File f = open(path);
   const SparseMatrix upper = lower.transpose();
   for (Index j = 0; j < upper.outerSize(); ++j) {
-    for (SparseMatrix::InnerIterator it(upper, j); it; ++it)
-      fmt::print(f.get(), "{} {} {:.17g}\n", it.row() + 1, j + 1, it.value());
+    for (SparseMatrix::InnerIterator it(upper, j); it; ++it) fmt::print(f.get(), "{} {} {:.17g}\n", it.row() + 1, j + 1, it.value());
   }
 }
 
@@ -41,7 +40,9 @@ int main(int argc, char** argv) {
   std::vector<double> size{0.1, 0.104, 1.0};
   double spin = 100, twist = 0, lean = 0;
   int blades = 4, fine = 1;
-  app.add_option("KIND", kind, "cantilever, shaft (free) or disc (with blades)")->required()->check(CLI::IsMember({"cantilever", "shaft", "disc"}));
+  app.add_option("KIND", kind, "cantilever, shaft (free) or disc (with blades)")
+      ->required()
+      ->check(CLI::IsMember({"cantilever", "shaft", "disc"}));
   app.add_option("-o", folder, "folder to write to")->required();
   app.add_option("--bricks", bricks, "of a cantilever or shaft, along x, y, z")->expected(3);
   app.add_option("--size", size, "of it, m")->expected(3);
@@ -63,7 +64,9 @@ int main(int argc, char** argv) {
   fmt::print(csv.get(), "node,x,y,z\n");
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
     fmt::print(csv.get(), "{},{:.17g},{:.17g},{:.17g}\n", n + 1, mesh.nodes[n][0], mesh.nodes[n][1], mesh.nodes[n][2]);
-  fmt::print(toml.get(), "kind = \"structure\"\ntitle = \"{} of {} bricks\"\nmass = \"model.mas\"\nstiffness = \"model.sti\"\ndofs = \"model.dof\"\n"
-             "coordinates = \"nodes.csv\"\nspin = {:.17g}\naxis = [0, 0, 1]\n", kind, mesh.bricks.size(), spin);
+  fmt::print(toml.get(),
+             "kind = \"structure\"\ntitle = \"{} of {} bricks\"\nmass = \"model.mas\"\nstiffness = \"model.sti\"\ndofs = \"model.dof\"\n"
+             "coordinates = \"nodes.csv\"\nspin = {:.17g}\naxis = [0, 0, 1]\n",
+             kind, mesh.bricks.size(), spin);
   fmt::print("{} coordinates, {} + {} entries\n", p.mass.cols(), p.mass.nonZeros(), p.stiffness.nonZeros());
 }

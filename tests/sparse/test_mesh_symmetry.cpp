@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A truss on a grid of nx × ny × nz nodes about the axis z, nodes along edges and diagonals joined by bars, held softly;
-// `shape` moves the nodes.
+// A truss on a grid of nx × ny × nz nodes about the axis z, nodes along edges and diagonals joined by bars, held
+// softly; `shape` moves the nodes.
 template <class Shape>
 StructureParts truss(int nx, int ny, int nz, double spin, const Shape& shape) {
   StructureParts p;
@@ -95,15 +95,15 @@ const auto twisted = [](const Vector3d& p) {
   const double angle = 0.2 * p(2);
   return Vector3d(p(0) * std::cos(angle) - p(1) * std::sin(angle), p(0) * std::sin(angle) + p(1) * std::cos(angle), p(2));
 };
-const auto skewed = [](const Vector3d& p) { return Vector3d(p(0) + 0.1 * p(1) * p(2) + 0.05 * p(1) * p(1), p(1) + 0.07 * p(2) * p(2), p(2)); };
+const auto skewed = [](const Vector3d& p) {
+  return Vector3d(p(0) + 0.1 * p(1) * p(2) + 0.05 * p(1) * p(1), p(1) + 0.07 * p(2) * p(2), p(2));
+};
 
 TEST(MeshSymmetry, MirrorPlanesAlongCoordinateAxesAreFound) {
   for (const double spin : {0.2, 0.9}) expect_folded(truss(3, 4, 5, spin, as_it_is), "mirror plane with normal x");
 }
 
-TEST(MeshSymmetry, HalfTurnsOfATwistedMeshAreFound) {
-  expect_folded(truss(3, 4, 5, 0.3, twisted), "half-turn about x");
-}
+TEST(MeshSymmetry, HalfTurnsOfATwistedMeshAreFound) { expect_folded(truss(3, 4, 5, 0.3, twisted), "half-turn about x"); }
 
 TEST(MeshSymmetry, OneAlongNoAxisIsToldByItsDirection) {
   constexpr double angle = 0.4;
@@ -114,6 +114,22 @@ TEST(MeshSymmetry, OneAlongNoAxisIsToldByItsDirection) {
   EXPECT_EQ(SparseSystem(in_symmetric_coordinates(p)).basis(), nullptr) << "half-turns and planes are along no coordinate axis";
   p.symmetry = MeshSymmetry{MeshSymmetry::Kind::mirror, {std::cos(angle), std::sin(angle), 0}};
   expect_folded(p, "mirror plane with normal (0.921061, 0.389418, 0)");
+}
+
+// A box of equal masses: by hand.
+TEST(MeshFacts, CentreAndInertia) {
+  StructureParts p = truss(3, 4, 5, 0, as_it_is);
+  for (Index i = 0; i < p.mass.cols(); ++i) p.mass.coeffRef(i, i) = 2;
+  for (auto& at : p.positions) at[0] += 7;
+  const MeshFacts f = facts_of(p);
+  EXPECT_EQ(f.nodes, 60);
+  ASSERT_TRUE(f.centre && f.inertia);
+  EXPECT_NEAR((*f.centre)[0], 7, 1e-12);
+  EXPECT_NEAR((*f.centre)[2], 0, 1e-12);
+  const double xx = 2.0 / 3, yy = 15.0 / 12, zz = 2;  // mean squares of −1 … 1, −1.5 … 1.5, −2 … 2
+  EXPECT_NEAR((*f.inertia)[0], 120 * (yy + zz), 1e-9);
+  EXPECT_NEAR((*f.inertia)[2], 120 * (xx + yy), 1e-9);
+  EXPECT_NEAR((*f.inertia)[3], 0, 1e-9);
 }
 
 TEST(MeshSymmetry, WhatIsNoneIsRefusedWithTheReason) {

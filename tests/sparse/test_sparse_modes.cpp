@@ -192,7 +192,8 @@ TEST(SparseModes, ManyEqualRoots) {
   const auto expect = [&](const ModesResult& r, std::size_t from, std::size_t to) {
     EXPECT_TRUE(r.is_complete()) << r.coverage.reason;
     ASSERT_EQ(r.modes.size(), (to - from) * static_cast<std::size_t>(copies));
-    for (std::size_t i = 0; i < r.modes.size(); ++i) EXPECT_NEAR(r.modes[i].omega, once[from + i / static_cast<std::size_t>(copies)], 1e-10);
+    for (std::size_t i = 0; i < r.modes.size(); ++i)
+      EXPECT_NEAR(r.modes[i].omega, once[from + i / static_cast<std::size_t>(copies)], 1e-10);
   };
   ModesOptions o;
   o.window = {0.5 * (once[1] + once[2]), 0.5 * (once[4] + once[5])};

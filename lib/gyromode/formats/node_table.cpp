@@ -76,7 +76,8 @@ std::vector<MeshNode> read_nodes(const std::filesystem::path& file) {
     if (!counted) throw Unreadable(file, number, 0, fmt::format("'{}' is no number of a node: node,x,y,z was expected", shown(name)));
     std::size_t given = 0;
     for (std::string_view word = word_of(rest); !word.empty(); word = word_of(rest)) {
-      if (given == 3) throw Unreadable(file, number, 0, fmt::format("'{}' is one too many on its line: node,x,y,z was expected", shown(word)));
+      if (given == 3)
+        throw Unreadable(file, number, 0, fmt::format("'{}' is one too many on its line: node,x,y,z was expected", shown(word)));
       if (!read(word, n.at[given]) || !std::isfinite(n.at[given]))
         throw Unreadable(file, number, 0, fmt::format("'{}' is no coordinate of node {}: a number was expected", shown(word), n.node));
       ++given;

@@ -176,7 +176,8 @@ std::string in_words(const MeshSymmetry& s) {
 std::optional<FoundSymmetry> symmetry_of(const StructureParts& p, const SparseMatrices& m) {
   if (p.positions.empty()) {
     if (p.symmetry)
-      throw LawBroken("a mirror plane or a half-turn needs the positions of the nodes: give coordinates = \"job.inp\" or a table node,x,y,z");
+      throw LawBroken(
+          "a mirror plane or a half-turn needs the positions of the nodes: give coordinates = \"job.inp\" or a table node,x,y,z");
     return std::nullopt;
   }
   const Vector3d spin = vector_of(p.axis).normalized();

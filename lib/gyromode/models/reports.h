@@ -37,7 +37,7 @@ struct SymmetryFinding {
 
 /// A fact of a model that its maker may want to check: a number, a matrix, or named numbers.
 struct ModelCheck {
-  std::string name;                                                                 ///< key in the document
+  std::string name;                                                                              ///< key in the document
   std::variant<double, Matrix, std::vector<std::pair<std::string, double>>, std::string> value;  ///< SI
 };
 

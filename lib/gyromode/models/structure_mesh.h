@@ -24,10 +24,10 @@ struct MeshSymmetry {
 /// An export of a finite-element code: M and K (which holds the stress and the softening of the spin) in axes that turn
 /// with the structure.
 struct StructureParts {
-  SparseMatrix mass, stiffness;             ///< lower triangles
-  std::vector<MeshCoordinate> coordinates;  ///< n
-  double spin = 0;                          ///< Ω, rad per unit of time
-  std::array<double, 3> axis{0, 0, 1};      ///< of the spin; any length but zero
+  SparseMatrix mass, stiffness;                  ///< lower triangles
+  std::vector<MeshCoordinate> coordinates;       ///< n
+  double spin = 0;                               ///< Ω, rad per unit of time
+  std::array<double, 3> axis{0, 0, 1};           ///< of the spin; any length but zero
   std::vector<std::array<double, 3>> positions;  ///< of the node of every coordinate; empty: not known
   std::optional<MeshSymmetry> symmetry;          ///< one that it has; else coordinate planes and half-turns about coordinate axes are tried
 };
@@ -41,6 +41,10 @@ SparseMatrices assembled(const StructureParts& parts);
 struct MeshFacts {
   Index nodes = 0;
   std::array<double, 3> mass_per_direction{};  ///< the sum of M over the coordinates of each; without what is held
+  /// Where positions are known: the centre of mass, each coordinate by the mass of its direction, and the inertia about
+  /// it, uᵀMu of the turns u = e × (p − centre): xx, yy, zz, xy, yz, zx (the last three as ∫ −xy dm).
+  std::optional<std::array<double, 3>> centre;
+  std::optional<std::array<double, 6>> inertia;
 };
 MeshFacts facts_of(const StructureParts& parts);
 

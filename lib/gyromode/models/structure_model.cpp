@@ -26,7 +26,14 @@ double largest_entry_of(const SparseMatrix& a) { return a.nonZeros() > 0 ? a.coe
 std::vector<ModelCheck> checks_of(const StructureParts& parts) {
   const MeshFacts f = facts_of(parts);
   const auto& mass = f.mass_per_direction;
-  return {{"nodes", static_cast<double>(f.nodes)}, {"mass_per_direction", NamedNumbers{{"x", mass[0]}, {"y", mass[1]}, {"z", mass[2]}}}};
+  std::vector<ModelCheck> all{{"nodes", static_cast<double>(f.nodes)},
+                              {"mass_per_direction", NamedNumbers{{"x", mass[0]}, {"y", mass[1]}, {"z", mass[2]}}}};
+  if (f.centre) all.push_back({"centre", NamedNumbers{{"x", (*f.centre)[0]}, {"y", (*f.centre)[1]}, {"z", (*f.centre)[2]}}});
+  if (f.inertia) {
+    const auto& i = *f.inertia;
+    all.push_back({"inertia", NamedNumbers{{"xx", i[0]}, {"yy", i[1]}, {"zz", i[2]}, {"xy", i[3]}, {"yz", i[4]}, {"zx", i[5]}}});
+  }
+  return all;
 }
 
 // A symmetric (sign 1) or skew (−1) matrix by its lower triangle, in full.

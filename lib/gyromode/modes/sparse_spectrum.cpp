@@ -26,7 +26,7 @@ using sparse::Search;
 
 constexpr double worst_residual = 1e-10;  // of a root that is listed
 constexpr Index most_at_one_shift = 60;
-constexpr Index most_negative = 300;      // of n₋(K): so many motions are looked for, one by one
+constexpr Index most_negative = 300;  // of n₋(K): so many motions are looked for, one by one
 
 // Columns after which a search is given up: some thirty for every root, and what a bad start takes.
 Index most_applied(Index wanted) {
@@ -126,7 +126,8 @@ double SparseSpectrum::gyroscopic_size() const {
 
 std::string SparseSpectrum::open_reason() const {
   if (balance_.negative > most_negative)
-    return fmt::format("n₋(K) = {}: the motions that take so many negative directions are not looked for beyond {}", balance_.negative, most_negative);
+    return fmt::format("n₋(K) = {}: the motions that take so many negative directions are not looked for beyond {}", balance_.negative,
+                       most_negative);
   return fmt::format("the index balance does not close: of n₋(K) = {} the motions found near ω = 0 make {}", balance_.negative,
                      balance_.real_pairs + 2 * balance_.quadruples + 2 * balance_.negative_energy);
 }
@@ -204,7 +205,8 @@ SparseSpectrum::Modes SparseSpectrum::from_both_ends(double a, double b, Index e
       constexpr double apart = 1e-9;
       if (k > 0 && cuts[k + 1] - cuts[k] <= apart * cuts[k]) continue;
       const double cut = k == 0 ? a : 0.5 * (cuts[k] + cuts[k + 1]);
-      const auto lower = std::partition_point(low.begin(), low.end(), below(cut)), upper = std::partition_point(high.begin(), high.end(), below(cut));
+      const auto lower = std::partition_point(low.begin(), low.end(), below(cut)),
+                 upper = std::partition_point(high.begin(), high.end(), below(cut));
       if ((lower - low.begin()) + (high.end() - upper) != expected) continue;
       all.assign(low.begin(), lower);
       all.insert(all.end(), upper, high.end());
@@ -421,8 +423,9 @@ Mode SparseSpectrum::mode_of(const RitzMode& m, bool with_shape) const {
 void SparseSpectrum::describe(ModesResult& r, bool with_shapes) const {
   r.structure = system_.basis() ? system_.basis()->given : structure_;
   r.stiffness = {balance_.negative, 0};
-  r.solver = fmt::format("sparse: {}{}; counts by LDLᵀ of {} (MUMPS)", system_.basis() ? system_.basis()->in_words + ", " : "", searches_.in_words(),
-                         searches_.groups().partition ? "H*, real of order n" : "H(ω) in real arithmetic of order 2n");
+  r.solver =
+      fmt::format("sparse: {}{}; counts by LDLᵀ of {} (MUMPS)", system_.basis() ? system_.basis()->in_words + ", " : "",
+                  searches_.in_words(), searches_.groups().partition ? "H*, real of order n" : "H(ω) in real arithmetic of order 2n");
   r.opposite_gap = infinity;
   r.stability = !balance_.closed     ? Stability::unknown
                 : !unstable_.empty() ? Stability::unstable

@@ -14,8 +14,8 @@ namespace gyromode::io {
 
 namespace {
 
-constexpr std::array<std::string_view, 14> keys{"kind", "title",     "reference", "known", "parameters", "frame",
-                                                "mass", "stiffness", "dofs",      "spin",  "axis", "coordinates", "mirror", "half_turn"};
+constexpr std::array<std::string_view, 14> keys{"kind",      "title", "reference", "known", "parameters",  "frame",  "mass",
+                                                "stiffness", "dofs",  "spin",      "axis",  "coordinates", "mirror", "half_turn"};
 
 std::filesystem::path file_named(const TomlTable& table, std::string_view key, Digest& digest) {
   const auto name = table.text(key);
@@ -58,7 +58,8 @@ StructureParts read_structure(const TomlTable& table, Digest& digest) {
   for (const auto& [key, kind] : {std::pair("mirror", MeshSymmetry::Kind::mirror), {"half_turn", MeshSymmetry::Kind::half_turn}}) {
     const std::vector<double> direction = table.numbers(key);
     if (direction.empty()) continue;
-    if (direction.size() != 3) table.fail(key, fmt::format("'{}' has {} numbers: the three of a direction were expected", key, direction.size()));
+    if (direction.size() != 3)
+      table.fail(key, fmt::format("'{}' has {} numbers: the three of a direction were expected", key, direction.size()));
     if (p.symmetry) table.fail(key, "'mirror' and 'half_turn' are given: one of them was expected");
     p.symmetry = MeshSymmetry{kind, {direction[0], direction[1], direction[2]}};
   }

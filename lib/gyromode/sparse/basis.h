@@ -10,10 +10,10 @@ namespace gyromode::sparse {
 
 /// The coordinates that a system is given in, q = Q p, where it is written in others, p, QᵀQ = 1.
 struct Basis {
-  std::optional<SparseMatrix> turn;  ///< of the directions of every node; none: they are those given
-  Involution fold;                   ///< q = turn · F p
-  Structure given;                   ///< what the couplings of q show
-  double departure = 0;              ///< of the symmetry, relative: what was averaged away
+  std::optional<SparseMatrix> turn;           ///< of the directions of every node; none: they are those given
+  Involution fold;                            ///< q = turn · F p
+  Structure given;                            ///< what the couplings of q show
+  double departure = 0;                       ///< of the symmetry, relative: what was averaged away
   double norm_m = 0, norm_g = 0, norm_k = 0;  ///< 1-norms in q
   std::string in_words;                       ///< of the symmetry
 };

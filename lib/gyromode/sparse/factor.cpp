@@ -91,8 +91,9 @@ Index SymmetricFactor::factor(const SparseMatrix& lower) {
     if (!wants_more_workspace(m.status()) || percent > most_workspace) break;
   }
   if (m.status() == -13 || m.status() < -1000 || wants_more_workspace(m.status()))
-    throw TooLarge(fmt::format("factorising a matrix of order {} with {:.3g} entries in its factor takes some {} MB, which are not there (MUMPS {}, {})",
-                               size_, entries(), m.mumps.infog[16], m.status(), m.mumps.infog[1]));
+    throw TooLarge(fmt::format(
+        "factorising a matrix of order {} with {:.3g} entries in its factor takes some {} MB, which are not there (MUMPS {}, {})", size_,
+        entries(), m.mumps.infog[16], m.status(), m.mumps.infog[1]));
   if (m.status() < 0 && m.status() != -10)  // −10: numerically singular, which counts decide
     throw NotConverged(fmt::format("a matrix of order {} could not be factorised (MUMPS {}, {})", size_, m.status(), m.mumps.infog[1]));
   singular_ = m.status() == -10;

@@ -8,9 +8,7 @@ namespace gyromode::sparse {
 
 namespace {
 
-double entry(const SparseMatrix& lower, Index i, Index j, double sign) {
-  return i >= j ? lower.coeff(i, j) : sign * lower.coeff(j, i);
-}
+double entry(const SparseMatrix& lower, Index i, Index j, double sign) { return i >= j ? lower.coeff(i, j) : sign * lower.coeff(j, i); }
 
 }  // namespace
 
@@ -38,8 +36,8 @@ Departure departure_of(const SparseMatrices& m, const Involution& s) {
 
 namespace {
 
-// FᵀAF of a symmetric (transposed = 1) A that S keeps (kept = 1), or a skew one (−1) that it reverses (−1), by its lower
-// triangle. Of rows i that are first of a pair or alone, and any column j:
+// FᵀAF of a symmetric (transposed = 1) A that S keeps (kept = 1), or a skew one (−1) that it reverses (−1), by its
+// lower triangle. Of rows i that are first of a pair or alone, and any column j:
 //     both in pairs:  A_ij + s_j A_ij' between the even ones (of a kept A) …, A_ij − s_j A_ij' between the odd ones
 SparseMatrix folded_matrix(const SparseMatrix& a, const Involution& s, double transposed, double kept) {
   const Index n = a.cols();

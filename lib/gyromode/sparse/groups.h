@@ -16,7 +16,8 @@ struct Groups {
 };
 Groups groups_of(const Structure& structure, Index n);
 
-/// [0, B; Bᵀ, 0] by what is below its diagonal, B the block of G that has rows in phase: C u is (Bẏ, Bᵀx) of u = (x, ẏ).
+/// [0, B; Bᵀ, 0] by what is below its diagonal, B the block of G that has rows in phase: C u is (Bẏ, Bᵀx) of u = (x,
+/// ẏ).
 SparseMatrix coupling_of(const SparseSystem& system, const Groups& groups);
 
 }  // namespace gyromode::sparse

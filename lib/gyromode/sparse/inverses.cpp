@@ -116,11 +116,7 @@ Matrix InverseOfBlocks::states(const Matrix& in_order) const {
 
 InverseAtShift::InverseAtShift(const SparseSystem& system, const Groups& groups, std::shared_ptr<const ShiftedFactor> impedance,
                                Index first)
-    : system_(system),
-      groups_(groups),
-      impedance_(std::move(impedance)),
-      first_(first),
-      coupling_(coupling_from(system, groups, first)) {}
+    : system_(system), groups_(groups), impedance_(std::move(impedance)), first_(first), coupling_(coupling_from(system, groups, first)) {}
 
 States InverseAtShift::start(const Matrix& shapes) const { return apply({shapes, Matrix()}); }
 

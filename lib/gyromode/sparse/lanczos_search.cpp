@@ -11,7 +11,7 @@ namespace gyromode::sparse {
 namespace {
 
 constexpr double tolerance = 1e-8;  // in E, relative: residuals of some 10⁻¹¹ (theory sparse §2)
-constexpr Index width = 8;  // blocks of 4 and 16 are slower (theory sparse §2)
+constexpr Index width = 8;          // blocks of 4 and 16 are slower (theory sparse §2)
 
 // Columns that a window of so many roots is found with: twice their number and some blocks.
 Index room_for(Index wanted, bool pairs) {
@@ -70,8 +70,8 @@ Search::Found LanczosSearch::found(const Window& range) const {
   return f;
 }
 
-// The operator is applied once to what Lanczos made, and again to the motions that come of it, separated, as long as one
-// that should have converged has not to what is asked of a result.
+// The operator is applied once to what Lanczos made, and again to the motions that come of it, separated, as long as
+// one that should have converged has not to what is asked of a result.
 Search::Found LanczosSearch::measured_motions(const Lanczos::Ritz& r, const std::vector<Index>& chosen, std::vector<double> omega) const {
   constexpr int most_passes = 3;
   std::sort(omega.begin(), omega.end());

@@ -13,8 +13,8 @@ Matrix skew_times(const SparseMatrix& below, const Matrix& x);
 /// BX and BᵀX of any sparse B.
 Matrix times(const SparseMatrix& b, const Matrix& x);
 Matrix transposed_times(const SparseMatrix& b, const Matrix& x);
-/// |x|ᵀ|A||x| of a (skew-)symmetric A by its lower triangle, of every column of moduli |x|: what rounding of its entries
-/// is relative to.
+/// |x|ᵀ|A||x| of a (skew-)symmetric A by its lower triangle, of every column of moduli |x|: what rounding of its
+/// entries is relative to.
 Vector sizes_of(const SparseMatrix& lower, const Matrix& moduli);
 /// The largest column sum of |A| of a (skew-)symmetric A given by its lower triangle.
 double norm1(const SparseMatrix& lower);

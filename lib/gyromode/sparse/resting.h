@@ -5,8 +5,8 @@
 
 namespace gyromode::sparse {
 
-/// n₋(K − μM), by the blocks of a partition, in a fraction of the memory that factors take; arbitrary where μ is ω² of a
-/// mode at rest to rounding. With γ ≥ ‖M^−½GM^−½‖ and μ = σ² + γσ it is at least n₋(H(σ)) (theory T17).
+/// n₋(K − μM), by the blocks of a partition, in a fraction of the memory that factors take; arbitrary where μ is ω² of
+/// a mode at rest to rounding. With γ ≥ ‖M^−½GM^−½‖ and μ = σ² + γσ it is at least n₋(H(σ)) (theory T17).
 Index negative_at_rest(const SparseSystem& system, const Groups& groups, double mu);
 
 /// ω² of the modes at rest in the space of some shapes, ascending: each is not below the true one.

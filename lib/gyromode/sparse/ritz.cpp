@@ -79,8 +79,7 @@ std::vector<RitzMode> measured(const SparseSystem& s, const Norms& norms, const 
       both.col(k) = pairs.coefficients.col(chosen[first + static_cast<std::size_t>(k)]).real();
       both.col(m + k) = pairs.coefficients.col(chosen[first + static_cast<std::size_t>(k)]).imag();
     }
-    const Matrix x = v.combined(both), mx = v.mass_times(both), kx = symmetric_times(s.stiffness(), x),
-                 gx = skew_times(s.gyroscopic(), x);
+    const Matrix x = v.combined(both), mx = v.mass_times(both), kx = symmetric_times(s.stiffness(), x), gx = skew_times(s.gyroscopic(), x);
     for (Index k = 0; k < m; ++k) {
       const Index root = chosen[first + static_cast<std::size_t>(k)];
       RitzMode mode;

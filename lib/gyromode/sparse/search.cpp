@@ -14,7 +14,7 @@ bool converged(const RitzMode& m) {
 namespace {
 
 constexpr int steps_between_looks = 3;
-constexpr int quiet_looks = 2;  // with all in range converged, before other shapes are tried
+constexpr int quiet_looks = 2;   // with all in range converged, before other shapes are tried
 constexpr int most_refused = 4;  // looks at what should have converged and has not, to what is asked of a result
 constexpr Index least_width = 8, most_width = 32;
 

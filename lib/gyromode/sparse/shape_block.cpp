@@ -79,7 +79,8 @@ Block impedance_times(const Block& k, const Block& c, const Block& m, const Vect
 template <class Scalar>
 void separate(Made<Scalar>& a, const Vector& near) {
   using Block = typename Made<Scalar>::Block;
-  Block k = adjoint_product(a.u, a.k), c = adjoint_product(a.u, a.c), m = adjoint_product(a.u, a.m), all = Block::Identity(k.rows(), k.cols());
+  Block k = adjoint_product(a.u, a.k), c = adjoint_product(a.u, a.c), m = adjoint_product(a.u, a.m),
+        all = Block::Identity(k.rows(), k.cols());
   constexpr int most = 6;
   constexpr double largest = 0.1, settled = 1e-14;
   for (int round = 0; round < most; ++round) {

@@ -47,7 +47,7 @@ class ShiftedImpedance {
   mutable SparseMatrix pattern_;           // of H* or the embedding, lower triangle; its values are 0
   mutable std::vector<double> k_, m_, g_;  // what K, M and G have at every entry of the pattern: value = k − ω²m + ωg
   mutable std::vector<int> order_;
-  mutable SparseMatrix metric_;  // M, or M twice
+  mutable SparseMatrix metric_;                               // M, or M twice
   mutable std::vector<std::shared_ptr<ShiftedFactor>> kept_;  // the older first
 };
 

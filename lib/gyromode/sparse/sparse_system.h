@@ -33,7 +33,7 @@ class SparseSystem {
   /// that is indefinite beyond 10⁻¹² of its diagonal (by its factorisation)
   explicit SparseSystem(SparseMatrices matrices);
 
-  const SparseMatrices& matrices() const { return of_; }
+  const SparseMatrices& matrices() const { return of_; }             ///< as they were given
   Index size() const { return of_.mass.cols(); }                     ///< n
   const SparseMatrix& mass() const { return of_.mass; }              ///< lower triangle
   const SparseMatrix& gyroscopic() const { return of_.gyroscopic; }  ///< below the diagonal
@@ -42,7 +42,7 @@ class SparseSystem {
   const std::vector<int>& node() const { return of_.node; }          ///< of every coordinate
   const std::vector<int>& places() const { return places_; }         ///< of every node, in an order of elimination with little fill
   std::optional<double> gyroscopic_bound() const { return of_.gyroscopic_bound; }  ///< γ with −γM ≤ jG ≤ γM, where it is known
-  const sparse::Basis* basis() const { return of_.basis.get(); }     ///< null: the coordinates are those given
+  const sparse::Basis* basis() const { return of_.basis.get(); }                   ///< null: the coordinates are those given
   /// M is positive semidefinite to rounding: some motions have no mass, and no frequency of their own.
   bool singular_mass() const { return singular_mass_; }
 

@@ -26,7 +26,7 @@ struct CountedRoot {
 struct RootRange {
   std::vector<CountedRoot> roots;
   std::function<Mode(std::size_t root, bool with_shape)> mode;  ///< frequencies in rad per unit of time
-  double all_below = 0;          ///< of lowest roots: all below that are listed, by count
+  double all_below = 0;                                         ///< of lowest roots: all below that are listed, by count
   double known_below = infinity;                                ///< work was stopped: roots from here on are not all known
 };
 
