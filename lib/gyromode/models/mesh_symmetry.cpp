@@ -74,14 +74,14 @@ class Places {
   std::unordered_multimap<std::uint64_t, int> cells_;
 };
 
-struct Nodes {
+struct PlacedNodes {
   std::vector<long> number;
   std::vector<Vector3d> at;
   std::vector<std::array<Index, 3>> coordinates;
 };
 
-Nodes nodes_of(const StructureParts& p) {
-  Nodes nodes;
+PlacedNodes placed_nodes(const StructureParts& p) {
+  PlacedNodes nodes;
   std::unordered_map<long, std::size_t> known;
   for (std::size_t k = 0; k < p.coordinates.size(); ++k) {
     const auto [it, fresh] = known.try_emplace(p.coordinates[k].node, nodes.number.size());
@@ -103,7 +103,7 @@ std::array<bool, 3> reversed_by(MeshSymmetry::Kind kind, int d) {
 }
 
 // The image of every coordinate; why there is none goes to `why`.
-std::optional<sparse::Involution> images(const Nodes& nodes, const std::array<bool, 3>& reversed, Index n, std::string& why) {
+std::optional<sparse::Involution> images(const PlacedNodes& nodes, const std::array<bool, 3>& reversed, Index n, std::string& why) {
   Vector3d low = nodes.at.front(), high = low;
   for (const Vector3d& p : nodes.at) {
     low = low.cwiseMin(p);
@@ -146,7 +146,7 @@ std::optional<sparse::Involution> images(const Nodes& nodes, const std::array<bo
   return s;
 }
 
-std::optional<FoundSymmetry> tried(const StructureParts& p, const SparseMatrices& m, const Nodes& nodes, const MeshSymmetry& symmetry,
+std::optional<FoundSymmetry> tried(const StructureParts& p, const SparseMatrices& m, const PlacedNodes& nodes, const MeshSymmetry& symmetry,
                                    int d, std::string& why) {
   auto s = images(nodes, reversed_by(symmetry.kind, d), m.mass.cols(), why);
   if (!s) return std::nullopt;
@@ -181,7 +181,7 @@ std::optional<FoundSymmetry> symmetry_of(const StructureParts& p, const SparseMa
     return std::nullopt;
   }
   const Vector3d spin = vector_of(p.axis).normalized();
-  const Nodes nodes = nodes_of(p);
+  const PlacedNodes nodes = placed_nodes(p);
   std::string why;
   constexpr double across = 1e-9;
   if (p.symmetry) {

@@ -96,14 +96,15 @@ void SparseSpectrum::close_balance(const Progress& progress) {
     for (const RitzMode& m : negative_) shapes.add(parts_of(m.shape));
     for (const RitzUnstable& u : unstable_) shapes.add(parts_of(u.shape));
   };
+  const double farthest = 0.5 * system_.gyroscopic_bound().value_or(gyroscopic_size());
   sparse::Goal goal;
-  goal.enough = [&](const auto&) { return goal.range; };
+  if (system_.gyroscopic_bound()) goal.range.b = farthest;  // none is beyond
+  goal.enough = [&](const auto&) { return std::optional<Window>(goal.range); };
   goal.accepted = take;
   goal.missing = negative;
   goal.most_applied = most_applied(negative);
   at_zero_ = searches_.about(0, negative + 8);
   take(search_for(*at_zero_, goal, progress));
-  const double farthest = 0.5 * system_.gyroscopic_bound().value_or(gyroscopic_size());
   for (const double part : {0.5, 0.25, 0.75, 1.0}) {
     if (balance_.closed || !(farthest > 0)) return;
     if (first) keep();

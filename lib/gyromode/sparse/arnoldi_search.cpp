@@ -10,12 +10,12 @@ namespace gyromode::sparse {
 
 namespace {
 
-constexpr Index width = 8;
+constexpr Index block_width = 8;
 
 // Twice the shapes that so many motions have, in phase and in quadrature, and some blocks.
 Index room_for(Index wanted) {
   constexpr Index motions = 4, blocks = 12, least = 240;
-  return std::max(motions * wanted + blocks * width, least);
+  return std::max(motions * wanted + blocks * block_width, least);
 }
 
 // Roots in the order of their distance from the shift, with how converged they are.
@@ -34,16 +34,17 @@ ArnoldiSearch::ArnoldiSearch(const SparseSystem& system, const Groups& groups, c
       groups_(groups),
       norms_(norms),
       resolvent_(std::move(resolvent)),
+      wanted_(wanted),
       most_(room_for(wanted)),
       tolerance_(1e-11),  // of a residual
       v_(system, groups.across, groups.partition) {
   krylov_ = std::make_unique<Krylov>(system_, groups_, resolvent_, v_);
-  refresh(width);
+  refresh(block_width);
 }
 
 bool ArnoldiSearch::step() {
-  if (v_.size() + 2 * width > most_) restart();
-  applied_ += width;
+  if (v_.size() + 2 * block_width > most_) restart();
+  applied_ += block_width;
   return krylov_->step();
 }
 
@@ -54,9 +55,10 @@ void ArnoldiSearch::refresh(Index columns) {
 }
 
 std::vector<Search::Expected> ArnoldiSearch::look() const {
+  constexpr Index beyond = 8;
   const RitzPairs pairs = ritz_pairs(v_);
   std::vector<Index> chosen = nearest(pairs.omega, resolvent_.shift);
-  chosen.resize(std::min<std::size_t>(chosen.size(), static_cast<std::size_t>(most_) / 2));
+  chosen.resize(std::min<std::size_t>(chosen.size(), static_cast<std::size_t>(wanted_ + beyond)));
   std::sort(chosen.begin(), chosen.end());
   std::vector<Expected> all;
   for (const RitzMode& m : measured(system_, norms_, v_, pairs, chosen)) all.push_back({m.omega, m.residual <= tolerance_});
@@ -82,18 +84,18 @@ void ArnoldiSearch::restart() {
     parts.col(2 * (kept + k) + 1) = pairs.unstable.right.col(k).imag();
   }
   const std::vector<RitzMode> modes = measured(system_, norms_, v_, pairs, chosen);
-  Matrix q(system_.size(), width), velocity(system_.size(), width);
+  Matrix q(system_.size(), block_width), velocity(system_.size(), block_width);
   Index at = 0;
   for (const RitzMode& m : modes) {
-    if (at == width) break;
+    if (at == block_width) break;
     if (m.residual <= tolerance_) continue;
     q.col(at) = m.shape.real();
     velocity.col(at++) = -m.omega * m.shape.imag();
   }
   v_.keep(parts);
   krylov_->restart(q.leftCols(at), velocity.leftCols(at));
-  if (at == 0) krylov_->start(random_shapes(system_.size(), width, draws_++));
-  applied_ += width;
+  if (at == 0) krylov_->start(random_shapes(system_.size(), block_width, draws_++));
+  applied_ += block_width;
 }
 
 }  // namespace gyromode::sparse

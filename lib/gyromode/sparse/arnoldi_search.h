@@ -26,7 +26,7 @@ class ArnoldiSearch : public Search {
   const Groups& groups_;
   const Norms& norms_;
   Resolvent resolvent_;
-  Index most_, applied_ = 0;
+  Index wanted_, most_, applied_ = 0;
   unsigned draws_ = 0;
   double tolerance_;
   Subspace v_;

@@ -26,7 +26,7 @@ struct SymmetricFactor::Instance {
 
 namespace {
 
-constexpr int begin = -1, end = -2, analyse = 1, factorise = 2, solve_with = 3;
+constexpr int job_begin = -1, job_end = -2, job_analyse = 1, job_factorise = 2, job_solve = 3;
 constexpr int too_little_workspace[] = {-8, -9, -11, -14, -15, -17, -20};
 
 bool wants_more_workspace(int status) {
@@ -44,7 +44,7 @@ SymmetricFactor::SymmetricFactor(const SparseMatrix& pattern, const std::vector<
   m.mumps.sym = kind == Kind::definite ? 1 : 2;
   m.mumps.par = 1;
   m.mumps.comm_fortran = -987654;  // MPI_COMM_WORLD
-  m.run(begin);
+  m.run(job_begin);
   for (const int stream : {1, 2, 3, 4}) m.control(stream) = 0;  // silent
   m.control(7) = 1;                                             // the order given
   m.control(14) = 30;                                           // % of workspace more than estimated, for pivoting
@@ -64,13 +64,13 @@ SymmetricFactor::SymmetricFactor(const SparseMatrix& pattern, const std::vector<
   m.mumps.irn = m.rows.data();
   m.mumps.jcn = m.columns.data();
   m.mumps.perm_in = m.order.data();
-  m.run(analyse);
+  m.run(job_analyse);
   if (m.status() < 0)
     throw TooLarge(
         fmt::format("the matrix of order {} could not be analysed for factorisation (MUMPS {}, {})", size_, m.status(), m.mumps.infog[1]));
 }
 
-SymmetricFactor::~SymmetricFactor() { of_->run(end); }
+SymmetricFactor::~SymmetricFactor() { of_->run(job_end); }
 
 double SymmetricFactor::megabytes() const { return of_->mumps.infog[20] > 0 ? of_->mumps.infog[20] : of_->mumps.infog[16]; }
 
@@ -87,7 +87,7 @@ Index SymmetricFactor::factor(const SparseMatrix& lower) {
   constexpr int most_workspace = 1000;
   for (int percent = 30;; percent *= 3) {
     m.control(14) = percent;
-    m.run(factorise);
+    m.run(job_factorise);
     if (!wants_more_workspace(m.status()) || percent > most_workspace) break;
   }
   if (m.status() == -13 || m.status() < -1000 || wants_more_workspace(m.status()))
@@ -109,7 +109,7 @@ Matrix SymmetricFactor::solve(Matrix b) {
   m.mumps.lrhs = static_cast<int>(size_);
   constexpr int together = 32;
   m.control(27) = std::min<int>(static_cast<int>(b.cols()), together);
-  m.run(solve_with);
+  m.run(job_solve);
   if (m.status() < 0) throw NotConverged(fmt::format("a system of order {} could not be solved (MUMPS {})", size_, m.status()));
   return b;
 }
