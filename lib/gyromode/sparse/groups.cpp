@@ -16,8 +16,8 @@ Groups groups_of(const Structure& structure, Index n) {
 SparseMatrix coupling_of(const SparseSystem& system, const Groups& groups) {
   SparseMatrix c = system.gyroscopic();
   for (Index j = 0; j < c.outerSize(); ++j) {
-    for (SparseMatrix::InnerIterator it(c, j); it; ++it) {
-      if (groups.across[static_cast<std::size_t>(it.row())]) it.valueRef() = -it.value();
+    for (auto e = c.outerIndexPtr()[j]; e < c.outerIndexPtr()[j + 1]; ++e) {
+      if (groups.across[static_cast<std::size_t>(c.innerIndexPtr()[e])]) c.valuePtr()[e] *= -1;
     }
   }
   return c;

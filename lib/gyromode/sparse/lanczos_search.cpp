@@ -78,7 +78,7 @@ Search::Found LanczosSearch::measured_motions(const Lanczos::Ritz& r, const std:
   const Vector all = Eigen::Map<const Vector>(omega.data(), static_cast<Index>(omega.size()));
   const StateKind kind{r.im.size() > 0, inverse_->leading_group()};
   const Index m = static_cast<Index>(chosen.size());
-  const auto in_order = [&](Matrix u) { return kind.pairs ? u : inverse_->shapes(u); };
+  const auto in_order = [&](const Matrix& u) { return kind.pairs ? u : inverse_->shapes(u); };
   const auto each_piece = [&](const auto& see) {
     for (Index at = 0; at < m; at += width) see(at, std::min<Index>(width, m - at));
   };
