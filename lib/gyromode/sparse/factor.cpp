@@ -107,8 +107,8 @@ Matrix SymmetricFactor::solve(Matrix b) {
   m.mumps.rhs = b.data();
   m.mumps.nrhs = static_cast<int>(b.cols());
   m.mumps.lrhs = static_cast<int>(size_);
-  constexpr int together = 32;
-  m.control(27) = std::min<int>(static_cast<int>(b.cols()), together);
+  constexpr int at_once = 32;
+  m.control(27) = std::min<int>(static_cast<int>(b.cols()), at_once);
   m.run(job_solve);
   if (m.status() < 0) throw NotConverged(fmt::format("a system of order {} could not be solved (MUMPS {})", size_, m.status()));
   return b;

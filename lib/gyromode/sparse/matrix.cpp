@@ -72,6 +72,7 @@ SparseMatrix restricted(const SparseMatrix& lower, const std::vector<Index>& cho
   std::vector<Index> place(static_cast<std::size_t>(lower.rows()), -1);
   for (std::size_t k = 0; k < chosen.size(); ++k) place[static_cast<std::size_t>(chosen[k])] = static_cast<Index>(k);
   SparseMatrix a(static_cast<Index>(chosen.size()), static_cast<Index>(chosen.size()));
+  if (chosen.empty()) return a;
   std::vector<int> sizes;
   for (const Index j : chosen) {
     int size = 0;
