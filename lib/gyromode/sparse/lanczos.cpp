@@ -20,7 +20,7 @@ Matrix random_shapes(Index n, Index width, unsigned draw) {
 }
 
 Lanczos::Lanczos(const Inverse& inverse, Index n, Index width, Index most)
-    : inverse_(inverse), n_(n), width_(width), most_(std::max(most, 4 * width)) {
+    : inverse_(inverse), n_(n), width_(width), most_(std::max(most, 4 * width)), u_(inverse.length(), 0), eu_(inverse.length(), 0) {
   refresh(width);
 }
 

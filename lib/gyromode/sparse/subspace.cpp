@@ -68,6 +68,7 @@ Matrix Subspace::add(const Matrix& x) {
     append(part, across);
     if (!partition_) break;
   }
+  if (size_ == 0) return Matrix(0, x.cols());
   return lapack::multiply_tn(mv_.leftCols(size_), x);
 }
 
