@@ -44,6 +44,12 @@ Matrix energy_of(const SparseSystem& s, const Matrix& u) {
   return e;
 }
 
+// What M makes of q̇ in (q, q̇).
+void settle_velocities(const SparseSystem& s, States& u) {
+  const Index n = s.size();
+  u.ex.bottomRows(n) = symmetric_times(s.mass(), u.x.bottomRows(n));
+}
+
 }  // namespace
 
 InverseOfBlocks::InverseOfBlocks(const SparseSystem& system, const Groups& groups, const StiffnessFactors& stiffness, Index first)
@@ -162,8 +168,7 @@ States InverseOfMotion::apply(const States& u) const {
 Matrix InverseOfMotion::inner(const Matrix& x) const { return energy_of(system_, x); }
 
 void InverseOfMotion::settle(States& u) const {
-  const Index n = system_.size();
-  u.ex.bottomRows(n) = symmetric_times(system_.mass(), u.x.bottomRows(n));
+  settle_velocities(system_, u);
 }
 
 States InverseOfMotionAtShift::start(const Matrix& shapes) const {
@@ -189,8 +194,7 @@ States InverseOfMotionAtShift::apply(const States& u) const {
 Matrix InverseOfMotionAtShift::inner(const Matrix& x) const { return energy_of(system_, x); }
 
 void InverseOfMotionAtShift::settle(States& u) const {
-  const Index n = system_.size();
-  u.ex.bottomRows(n) = symmetric_times(system_.mass(), u.x.bottomRows(n));
+  settle_velocities(system_, u);
 }
 
 Matrix InverseOfMotionAtShift::shapes(const Matrix& states) const {

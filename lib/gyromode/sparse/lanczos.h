@@ -19,8 +19,6 @@ class Lanczos {
   /// Goes on from `width` random shapes of their own: more roots of one frequency than a block has columns are not seen
   /// otherwise.
   void refresh(Index width);
-  /// Room for that many columns.
-  void widen(Index most) { most_ = std::max(most_, most); }
 
   /// Eigenvalues of H, the outermost first.
   struct Ritz {

@@ -19,7 +19,6 @@ class ShiftedFactor {
   ComplexMatrix solve(const ComplexMatrix& r) const;
   /// H*⁻¹R of H* = T⁻¹HT, T = diag(1, −j); with a partition. n × m
   Matrix solve_star(const Matrix& r) const;
-  double megabytes() const { return factor_->megabytes(); }
 
  private:
   friend class ShiftedImpedance;

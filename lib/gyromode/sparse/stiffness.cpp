@@ -60,10 +60,4 @@ Matrix StiffnessFactors::solve(Index block, const Matrix& b) const {
   return x;
 }
 
-double StiffnessFactors::megabytes() const {
-  double sum = 0;
-  for (const Block& b : blocks_) sum += b.factor->megabytes();
-  return sum;
-}
-
 }  // namespace gyromode::sparse

@@ -27,7 +27,6 @@ class StiffnessFactors {
   Matrix solve(Index block, const Matrix& b) const;
   /// The same of the rows of that block alone.
   Matrix solve_block(Index block, Matrix b) const { return blocks_[static_cast<std::size_t>(block)].factor->solve(std::move(b)); }
-  double megabytes() const;
 
  private:
   struct Block {
