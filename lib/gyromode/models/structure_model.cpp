@@ -4,6 +4,7 @@
 #include "gyromode/models/family_parameters.h"
 #include "gyromode/models/mesh_symmetry.h"
 #include "gyromode/modes/modes.h"
+#include "gyromode/sparse/matrix.h"
 #include "gyromode/sparse/basis.h"
 #include "gyromode/sparse/partition.h"
 #include "gyromode/sparse/stiffness.h"
@@ -36,14 +37,6 @@ std::vector<ModelCheck> checks_of(const StructureParts& parts) {
   return all;
 }
 
-// A symmetric (sign 1) or skew (−1) matrix by its lower triangle, in full.
-Matrix full(const SparseMatrix& lower, double sign) {
-  const Matrix below = lower;
-  Matrix all = below + sign * below.transpose();
-  if (sign > 0) all.diagonal() = below.diagonal();
-  return all;
-}
-
 // Displacements across z, where the axes turn about it.
 std::vector<OrbitCoordinates> orbits_across_z(const StructureParts& p) {
   std::vector<OrbitCoordinates> all;
@@ -63,7 +56,7 @@ std::vector<OrbitCoordinates> orbits_across_z(const StructureParts& p) {
 
 std::shared_ptr<const ModelKind> dense_model_of(const StructureParts& p) {
   SparseMatrices m = assembled(p);
-  SpinFamily family{full(m.mass, 1), full(m.gyroscopic, -1), {}, full(m.stiffness, 1), {}, std::move(m.labels), {}};
+  SpinFamily family{sparse::full(m.mass, 1), sparse::full(m.gyroscopic, -1), {}, sparse::full(m.stiffness, 1), {}, std::move(m.labels), {}};
   return model_of({std::make_shared<const SpinFamily>(std::move(family)), std::nullopt, orbits_across_z(p)});
 }
 

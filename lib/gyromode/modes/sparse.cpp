@@ -4,6 +4,7 @@
 #include "gyromode/modes/answer.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/sparse_spectrum.h"
+#include "gyromode/sparse/matrix.h"
 
 namespace gyromode {
 
@@ -22,13 +23,7 @@ bool serves_dense(const SparseSystem& s) {
 }
 
 System dense_of(const SparseSystem& s) {
-  const auto full = [](const SparseMatrix& lower, double sign) {
-    const Matrix below = lower;
-    Matrix all = below + sign * below.transpose();
-    if (sign > 0) all.diagonal() = below.diagonal();
-    return all;
-  };
-  return System(full(s.mass(), 1), full(s.gyroscopic(), -1), full(s.stiffness(), 1));
+  return System(sparse::full(s.mass(), 1), sparse::full(s.gyroscopic(), -1), sparse::full(s.stiffness(), 1));
 }
 
 }  // namespace

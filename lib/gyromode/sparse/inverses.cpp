@@ -167,9 +167,7 @@ States InverseOfMotion::apply(const States& u) const {
 
 Matrix InverseOfMotion::inner(const Matrix& x) const { return energy_of(system_, x); }
 
-void InverseOfMotion::settle(States& u) const {
-  settle_velocities(system_, u);
-}
+void InverseOfMotion::settle(States& u) const { settle_velocities(system_, u); }
 
 States InverseOfMotionAtShift::start(const Matrix& shapes) const {
   Matrix x = Matrix::Zero(length(), shapes.cols());
@@ -193,9 +191,7 @@ States InverseOfMotionAtShift::apply(const States& u) const {
 
 Matrix InverseOfMotionAtShift::inner(const Matrix& x) const { return energy_of(system_, x); }
 
-void InverseOfMotionAtShift::settle(States& u) const {
-  settle_velocities(system_, u);
-}
+void InverseOfMotionAtShift::settle(States& u) const { settle_velocities(system_, u); }
 
 Matrix InverseOfMotionAtShift::shapes(const Matrix& states) const {
   Matrix both(system_.size(), 2 * states.cols());

@@ -57,6 +57,13 @@ Vector sizes_of(const SparseMatrix& lower, const Matrix& moduli) {
   return moduli.cwiseProduct(lower_times<true>(lower, moduli, 1)).colwise().sum();
 }
 
+Matrix full(const SparseMatrix& lower, double sign) {
+  const Matrix below = lower;
+  Matrix all = below + sign * below.transpose();
+  if (sign > 0) all.diagonal() = below.diagonal();
+  return all;
+}
+
 double norm1(const SparseMatrix& lower) {
   Vector sums = Vector::Zero(lower.cols());
   for (Index j = 0; j < lower.outerSize(); ++j) {

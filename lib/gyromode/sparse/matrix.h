@@ -10,6 +10,8 @@ namespace gyromode::sparse {
 Matrix symmetric_times(const SparseMatrix& lower, const Matrix& x);
 /// AX of a skew A given by what is below its diagonal.
 Matrix skew_times(const SparseMatrix& below, const Matrix& x);
+/// A symmetric (sign 1) or skew (−1) A by its lower triangle, in full.
+Matrix full(const SparseMatrix& lower, double sign);
 /// BX and BᵀX of any sparse B.
 Matrix times(const SparseMatrix& b, const Matrix& x);
 Matrix transposed_times(const SparseMatrix& b, const Matrix& x);
