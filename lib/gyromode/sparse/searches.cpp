@@ -45,6 +45,11 @@ std::unique_ptr<Search> Searches::about(double sigma, Index wanted) const {
   return std::make_unique<ArnoldiSearch>(system_, groups_, norms_, std::move(resolvent), wanted);
 }
 
+Search& Searches::about_zero(Index wanted) const {
+  if (!at_zero_) at_zero_ = about(0, wanted);
+  return *at_zero_;
+}
+
 std::string Searches::in_words() const {
   return definite_block() >= 0 ? "block Lanczos about K and shifts" : "block Krylov spaces about K and shifts, projected";
 }

@@ -22,6 +22,10 @@ class Searches {
   std::shared_ptr<const ShiftedFactor> impedance(double omega) const { return impedance_.at(omega); }
   /// About a shift, σ = 0 being K; `wanted`: about how many roots will be asked for.
   std::unique_ptr<Search> about(double sigma, Index wanted) const;
+  /// The one about 0, which goes on where it was left.
+  Search& about_zero(Index wanted) const;
+  /// Forgets it: it makes room.
+  void release_zero() const { at_zero_.reset(); }
   /// Which operator that is, for people.
   std::string in_words() const;
 
@@ -34,6 +38,7 @@ class Searches {
   Norms norms_;
   StiffnessFactors stiffness_;
   ShiftedImpedance impedance_;
+  mutable std::unique_ptr<Search> at_zero_;
 };
 
 }  // namespace gyromode::sparse

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "gyromode/modes/sparse_balance.h"
+#include "gyromode/modes/sparse_modes.h"
+#include "gyromode/spectrum/inertia.h"
+
+#include <map>
+
+namespace gyromode {
+
+/// n₋(H(ω)) of a sparse system by factorisations, each done once, and how many modes windows hold by that.
+class SparseCounts {
+ public:
+  SparseCounts(const SparseSystem& system, const sparse::Searches& searches, const SparseBalance& balance)
+      : system_(system), searches_(searches), balance_(balance) {}
+
+  Inertia at(double omega) const;
+  /// n₋(H(0⁺)).
+  Index at_zero() const { return searches_.stiffness().negative(); }
+  /// How far H(ω) is from singular.
+  double margin(double omega) const;
+  /// Modes in (a, b).
+  Index between(double a, double b) const;
+  /// About the middle of a window, where no mode is.
+  double middle_of(double a, double b) const;
+  /// A frequency a little above that is none of a mode.
+  double clear_of_roots(double omega) const;
+
+  /// From now on those, ascending, are all modes below ω, as something else has shown: no factorisation is needed
+  /// there.
+  void know_below(double omega, const SparseModes& modes);
+  double known_below() const { return known_below_; }
+
+ private:
+  const SparseSystem& system_;
+  const sparse::Searches& searches_;
+  const SparseBalance& balance_;
+  mutable std::map<double, Inertia> counted_;
+  mutable std::map<double, double> margins_;
+  double known_below_ = 0;
+  SparseModes lowest_;  // without shapes
+};
+
+}  // namespace gyromode

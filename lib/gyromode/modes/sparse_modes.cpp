@@ -1,0 +1,40 @@
+#include "gyromode/modes/sparse_modes.h"
+
+#include "gyromode/base/rounding.h"
+
+#include <algorithm>
+
+namespace gyromode {
+
+namespace {
+
+constexpr double worst_residual = 1e-10;  // of a mode that is listed
+
+}  // namespace
+
+Index most_applied(Index wanted) {
+  constexpr Index start = 1200, each = 30;
+  return start + each * wanted;
+}
+
+Index converged_in(const std::vector<sparse::Search::Expected>& inside) {
+  return std::count_if(inside.begin(), inside.end(), [](const auto& e) { return e.converged; });
+}
+
+std::optional<Window> wanted_if(bool enough, const Window& range) { return enough ? std::optional<Window>(range) : std::nullopt; }
+
+void keep_listable(SparseModes& modes) {
+  modes.erase(std::remove_if(modes.begin(), modes.end(), [](const auto& m) { return !(m.residual <= worst_residual); }), modes.end());
+}
+
+double gap_after(const SparseModes& roots, Index count) {
+  for (std::size_t k = static_cast<std::size_t>(std::max<Index>(count, 1)); k < roots.size(); ++k) {
+    const double from = roots[k - 1].omega + 4 * roots[k - 1].error_bound, to = roots[k].omega - 4 * roots[k].error_bound;
+    if (to > from) return 0.5 * (from + to);
+  }
+  return 0;
+}
+
+double error_of(const sparse::RitzMode& m) { return std::max(m.error_bound, 4 * epsilon * m.omega); }
+
+}  // namespace gyromode
