@@ -73,7 +73,8 @@ StructureReport StructureModel::structure(std::optional<double> at) const {
   StructureReport r;
   const Structure s = sparse::analyse(system_);
   r.structure = system_.basis() ? system_.basis()->given : s;
-  r.stiffness.negative = sparse::StiffnessFactors(system_, sparse::groups_of(s, system_.size())).negative();
+  const sparse::StiffnessFactors stiffness(system_, sparse::groups_of(s, system_.size()));
+  r.stiffness = {stiffness.negative(), stiffness.nullity()};
   r.checks = checks_of(parts_);
   if (const sparse::Basis* b = system_.basis()) {
     r.checks.push_back({"symmetry", b->in_words});

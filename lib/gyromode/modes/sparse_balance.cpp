@@ -1,7 +1,6 @@
 #include "gyromode/modes/sparse_balance.h"
 
 #include "gyromode/modes/sparse_modes.h"
-#include "gyromode/sparse/matrix.h"
 #include "gyromode/sparse/subspace.h"
 
 #include <fmt/format.h>
@@ -20,18 +19,14 @@ Matrix parts_of(const ComplexVector& shape) {
   return parts;
 }
 
-// About ‖M^−½GM^−½‖, by its entries.
-double gyroscopic_size(const SparseSystem& s) {
-  const Vector root = s.mass().diagonal().cwiseSqrt().cwiseInverse();
-  return sparse::norm1(SparseMatrix(root.asDiagonal() * s.gyroscopic() * root.asDiagonal()));
-}
-
 }  // namespace
 
 SparseBalance::SparseBalance(const SparseSystem& system, const sparse::Searches& searches, const Progress& progress)
     : system_(system), searches_(searches) {
   index_.negative = searches_.stiffness().negative();
-  index_.closed = index_.negative == 0;
+  index_.zero = searches_.zero().zero_pairs();
+  index_.zero_negative = searches_.zero().negative;
+  index_.closed = exhibited() == index_.negative && !searches_.zero().doubtful;
   if (!index_.closed && index_.negative <= most_negative) close(progress);
 }
 
@@ -48,13 +43,13 @@ bool SparseBalance::take(const sparse::MeasuredRoots& found) {
   index_.real_pairs = std::count_if(unstable_.begin(), unstable_.end(), [](const auto& u) { return u.lambda.imag() == 0; });
   index_.quadruples = static_cast<Index>(unstable_.size()) - index_.real_pairs;
   index_.negative_energy = static_cast<Index>(negative_.size());
-  index_.closed = exhibited() == index_.negative;
+  index_.closed = exhibited() == index_.negative && !searches_.zero().doubtful;
   return index_.closed;
 }
 
 // Motions of negative energy have ω < γ/2, γ ≥ ‖M^−½GM^−½‖, as 2ω XᴴMX < Xᴴ(jG)X: none is looked for beyond.
 void SparseBalance::close(const Progress& progress) {
-  const double farthest = 0.5 * system_.gyroscopic_bound().value_or(gyroscopic_size(system_));
+  const double farthest = 0.5 * system_.gyroscopic_bound().value_or(system_.gyroscopic_size());
   sparse::Goal goal;
   if (system_.gyroscopic_bound()) goal.range.b = farthest;
   goal.enough = [&](const auto&) { return std::optional<Window>(goal.range); };
@@ -68,7 +63,7 @@ void SparseBalance::close(const Progress& progress) {
 // Where what is near 0 does not close the balance shifts up to there are tried. Of searches that found the same motion
 // one remains, by a projection on the shapes of all.
 void SparseBalance::close_farther(double farthest, const Progress& progress) {
-  sparse::Subspace shapes(system_, searches_.groups().across, searches_.groups().partition);
+  sparse::Subspace shapes(system_, searches_.groups(), searches_.zero());
   const auto keep = [&] {
     for (const sparse::RitzMode& m : negative_) shapes.add(parts_of(m.shape));
     for (const sparse::RitzUnstable& u : unstable_) shapes.add(parts_of(u.shape));
@@ -88,6 +83,8 @@ void SparseBalance::close_farther(double farthest, const Progress& progress) {
 }
 
 std::string SparseBalance::open_reason() const {
+  if (searches_.zero().doubtful)
+    return "what G makes of the null space of K, or a sign of the form that decides on its motions, comes within rounding of zero";
   if (index_.negative > most_negative)
     return fmt::format("n₋(K) = {}: the motions that take so many negative directions are not looked for beyond {}", index_.negative,
                        most_negative);

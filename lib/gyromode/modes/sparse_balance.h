@@ -8,7 +8,7 @@
 
 namespace gyromode {
 
-/// The index balance of a sparse system, n₋(K) = k_r + 2k_c + 2k₋ (theory T12), with the motions that make it: those of
+/// The index balance of a sparse system, n₋(K) = k_r + 2k_c + 2k₋ + n₋(F) (theory T12), with the motions that make it: those of
 /// negative energy and those that grow are looked for near ω = 0 until it closes.
 class SparseBalance {
  public:
@@ -27,7 +27,7 @@ class SparseBalance {
   void close_farther(double farthest, const Progress& progress);
   /// What the motions found make of it. @returns whether it is closed
   bool take(const sparse::MeasuredRoots& found);
-  Index exhibited() const { return index_.real_pairs + 2 * index_.quadruples + 2 * index_.negative_energy; }
+  Index exhibited() const { return index_.real_pairs + 2 * index_.quadruples + 2 * index_.negative_energy + index_.zero_negative; }
 
   const SparseSystem& system_;
   const sparse::Searches& searches_;

@@ -40,15 +40,16 @@ SparseModes SparseLowest::near_zero(Index wanted, const Window& range) const {
 bool SparseLowest::close_at_rest(const SparseModes& low, Index wanted) const {
   if (balance_.index().negative > 0 || !system_.gyroscopic_bound() || size_of(low) <= wanted) return false;
   const double gamma = *system_.gyroscopic_bound();
-  const Vector resting = sparse::resting_squares(system_, low);
+  const Vector resting = sparse::resting_squares(system_, searches_.zero(), low);
+  const Index paired = searches_.zero().pairs;  // of null(K), by G: they are modes that turn
   double best = 0, sigma = 0;
   Index below = 0;
   for (Index k = wanted; k < size_of(low); ++k) {
     const double from = low[static_cast<std::size_t>(k) - 1].omega, to = low[static_cast<std::size_t>(k)].omega;
     const double lower = from * (from + gamma), upper = to * to;
     const Index at_rest = std::count_if(resting.begin(), resting.end(), [&](double square) { return square < lower; });
-    if (at_rest > k) continue;
-    const double next = k < resting.size() ? resting(k) : upper, gap = (next - lower) / lower;
+    if (at_rest > k - paired) continue;
+    const double next = k - paired < resting.size() ? resting(k - paired) : upper, gap = (next - lower) / lower;
     if (gap <= best) continue;
     best = gap;
     below = k;
@@ -57,7 +58,7 @@ bool SparseLowest::close_at_rest(const SparseModes& low, Index wanted) const {
   }
   if (below == 0) return false;
   progress_.stage("counts of the modes at rest");
-  if (sparse::negative_at_rest(system_, searches_.groups(), sigma * (sigma + gamma)) != below) return false;
+  if (sparse::negative_at_rest(system_, searches_.groups(), sigma * (sigma + gamma)) != below + counts_.at_zero()) return false;
   counts_.know_below(sigma, low);
   return true;
 }

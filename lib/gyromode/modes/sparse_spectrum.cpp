@@ -4,7 +4,7 @@
 #include "gyromode/modes/shape.h"
 #include "gyromode/modes/sparse_lowest.h"
 #include "gyromode/sparse/basis.h"
-#include "gyromode/sparse/inverse_iteration.h"
+#include "gyromode/sparse/matrix.h"
 #include "gyromode/sparse/partition.h"
 
 #include <fmt/format.h>
@@ -20,22 +20,27 @@ SparseSpectrum::SparseSpectrum(const SparseSystem& system, const Progress& progr
 
 RootRange SparseSpectrum::roots(const Window& range, const Progress& progress) const {
   if (range.open()) throw InvalidArgument(why_an_end() + "a window with two ends or the number of lowest ones is needed");
-  return range_of(SparseWindows(searches_, counts_, progress).between(range.a, range.b, counts_.between(range.a, range.b)));
+  return range_of(SparseWindows(searches_, counts_, progress).between(range.a, range.b, counts_.between(range.a, range.b)), range.a == 0);
 }
 
 std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window& range, const Progress& progress) const {
   if (range.a > 0) return std::nullopt;
   SparseLowest::Found found = SparseLowest(system_, searches_, balance_, counts_, progress).lowest(count, range);
-  RootRange all = range_of(std::move(found.modes));
+  RootRange all = range_of(std::move(found.modes), true);
   all.all_below = found.all_below;
   return all;
 }
 
-RootRange SparseSpectrum::range_of(SparseModes modes) const {
+RootRange SparseSpectrum::range_of(SparseModes modes, bool from_zero) const {
   const auto kept = std::make_shared<const SparseModes>(std::move(modes));
+  const Index zero = from_zero ? zero_roots() : 0;
   RootRange r;
+  r.roots.assign(static_cast<std::size_t>(zero), {0, 0, 0, true, rigid(), ""});
   for (const sparse::RitzMode& m : *kept) r.roots.push_back({m.omega, error_of(m), m.energy_sign, false, false, ""});
-  r.mode = [this, kept](std::size_t i, bool with_shape) { return mode_of((*kept)[i], with_shape); };
+  r.mode = [this, kept, zero](std::size_t i, bool with_shape) {
+    const auto root = static_cast<Index>(i);
+    return root < zero ? zero_mode(root, with_shape) : mode_of((*kept)[i - static_cast<std::size_t>(zero)], with_shape);
+  };
   return r;
 }
 
@@ -58,16 +63,29 @@ Mode SparseSpectrum::mode_of(const sparse::RitzMode& m, bool with_shape) const {
   return mode;
 }
 
+Mode SparseSpectrum::zero_mode(Index which, bool with_shape) const {
+  const sparse::ZeroMotions& zero = searches_.zero();
+  Mode mode;
+  mode.energy_sign = 0;
+  mode.kind = rigid() ? ModeKind::rigid_body : ModeKind::vibration;
+  const Index drifts = zero.drift.cols();
+  const Vector shape = which < drifts ? zero.drift.col(which) : zero.n.col(which - drifts);
+  mode.residual = sparse::symmetric_times(system_.stiffness(), shape).norm() / (searches_.norms().k * shape.norm());
+  if (with_shape) mode.shape = normalised(in_given(shape.cast<Complex>()));
+  return mode;
+}
+
 void SparseSpectrum::describe(ModesResult& r, bool with_shapes) const {
   r.structure = system_.basis() ? system_.basis()->given : structure_;
-  r.stiffness = {balance_.index().negative, 0};
+  r.stiffness = {balance_.index().negative, searches_.zero().nullity()};
   r.solver =
       fmt::format("sparse: {}{}; counts by LDLᵀ of {} (MUMPS)", system_.basis() ? system_.basis()->in_words + ", " : "",
                   searches_.in_words(), searches_.groups().partition ? "H*, real of order n" : "H(ω) in real arithmetic of order 2n");
   r.opposite_gap = infinity;
   r.stability = !balance_.index().closed       ? Stability::unknown
                 : !balance_.unstable().empty() ? Stability::unstable
-                : balance_.negative().empty()  ? Stability::stable
+                : balance_.index().negative == 0 ? Stability::stable
+                : balance_.index().zero > 0    ? Stability::marginal
                                                : Stability::gyroscopically_stabilised;
   for (const sparse::RitzMode& m : balance_.negative()) r.negative_modes.push_back(mode_of(m, with_shapes));
   for (const sparse::RitzUnstable& u : balance_.unstable()) {

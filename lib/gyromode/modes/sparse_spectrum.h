@@ -10,7 +10,7 @@ namespace gyromode {
 /// The roots of a sparse system, found by ranges and counted by factorisations; in rad per unit of time.
 class SparseSpectrum : public CountedSpectrum {
  public:
-  /// @throws NotApplicable where K is singular to rounding; TooLarge; NotConverged
+  /// @throws NotApplicable where K is singular and what is free cannot be told; TooLarge; NotConverged
   explicit SparseSpectrum(const SparseSystem& system, const Progress& progress = {});
 
   RootRange roots(const Window& range, const Progress& progress = {}) const override;
@@ -21,7 +21,7 @@ class SparseSpectrum : public CountedSpectrum {
   double outward() const override { return 64; }
   Index below(double omega) const override { return omega > 0 ? counts_.between(0, omega) : 0; }
   Index missed_by_signs(const Window& range) const override { return balance_.missed_by_signs(range); }
-  Index zero_roots() const override { return 0; }
+  Index zero_roots() const override { return balance_.index().zero; }
   Inertia inertia_at(double omega) const override { return counts_.at(omega); }
   Index negative_at_zero() const override { return counts_.at_zero(); }
   IndexBalance balance() const override { return balance_.index(); }
@@ -30,9 +30,12 @@ class SparseSpectrum : public CountedSpectrum {
   void describe(ModesResult& result, bool with_shapes) const override;
 
  private:
-  RootRange range_of(SparseModes modes) const;
+  RootRange range_of(SparseModes modes, bool from_zero) const;
   ComplexVector in_given(const ComplexVector& shape) const;
   Mode mode_of(const sparse::RitzMode& m, bool with_shape) const;
+  /// A pair of zero roots, a drift or a displacement of null(K).
+  Mode zero_mode(Index which, bool with_shape) const;
+  bool rigid() const { return balance_.index().negative == 0; }
 
   const SparseSystem& system_;
   Structure structure_;

@@ -29,7 +29,8 @@ std::vector<Index> nearest(const Vector& omega, double shift) {
 
 }  // namespace
 
-ArnoldiSearch::ArnoldiSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, Resolvent resolvent, Index wanted)
+ArnoldiSearch::ArnoldiSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, const ZeroMotions& zero,
+                             Resolvent resolvent, Index wanted)
     : system_(system),
       groups_(groups),
       norms_(norms),
@@ -37,7 +38,7 @@ ArnoldiSearch::ArnoldiSearch(const SparseSystem& system, const Groups& groups, c
       wanted_(wanted),
       most_(room_for(wanted)),
       tolerance_(1e-11),  // of a residual
-      v_(system, groups.across, groups.partition) {
+      v_(system, groups, zero) {
   krylov_ = std::make_unique<Krylov>(system_, groups_, resolvent_, v_);
   refresh(block_width);
 }

@@ -11,7 +11,8 @@ namespace gyromode::sparse {
 /// from the motions nearest to the shift.
 class ArnoldiSearch : public Search {
  public:
-  ArnoldiSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, Resolvent resolvent, Index wanted);
+  ArnoldiSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, const ZeroMotions& zero, Resolvent resolvent,
+                Index wanted);
 
   bool step() override;
   void refresh(Index width) override;

@@ -25,11 +25,12 @@ Index negative_at_rest(const SparseSystem& s, const Groups& groups, double mu) {
 }
 
 // Real and imaginary parts apart, each as far as it is there.
-Vector resting_squares(const SparseSystem& s, const std::vector<RitzMode>& shapes) {
+Vector resting_squares(const SparseSystem& s, const ZeroMotions& zero, const std::vector<RitzMode>& shapes) {
   Matrix x(s.size(), 2 * static_cast<Index>(shapes.size()));
   Index columns = 0;
   for (const RitzMode& m : shapes) {
-    for (const Vector& part : {Vector(m.shape.real()), Vector(m.shape.imag())}) {
+    for (Vector part : {Vector(m.shape.real()), Vector(m.shape.imag())}) {
+      if (zero.nullity() > 0) part -= zero.n * (zero.mn.transpose() * part);
       const double size = part.norm();
       if (size > 0) x.col(columns++) = part / size;
     }

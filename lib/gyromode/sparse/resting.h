@@ -2,6 +2,7 @@
 
 #include "gyromode/sparse/groups.h"
 #include "gyromode/sparse/ritz.h"
+#include "gyromode/sparse/zero_motions.h"
 
 namespace gyromode::sparse {
 
@@ -9,7 +10,8 @@ namespace gyromode::sparse {
 /// a mode at rest to rounding. With γ ≥ ‖M^−½GM^−½‖ and μ = σ² + γσ it is at least n₋(H(σ)) (theory T17).
 Index negative_at_rest(const SparseSystem& system, const Groups& groups, double mu);
 
-/// ω² of the modes at rest in the space of some shapes, ascending: each is not below the true one.
-Vector resting_squares(const SparseSystem& system, const std::vector<RitzMode>& shapes);
+/// ω² of the modes at rest in the space of some shapes, ascending, without those of null(K): each is not below the true
+/// one.
+Vector resting_squares(const SparseSystem& system, const ZeroMotions& zero, const std::vector<RitzMode>& shapes);
 
 }  // namespace gyromode::sparse

@@ -1,9 +1,12 @@
 #include "gyromode/sparse/searches.h"
 
 #include "gyromode/sparse/arnoldi_search.h"
+#include "gyromode/sparse/deflated.h"
 #include "gyromode/sparse/inverse_iteration.h"
 #include "gyromode/sparse/inverses.h"
 #include "gyromode/sparse/lanczos_search.h"
+
+#include <cmath>
 
 namespace gyromode::sparse {
 
@@ -12,17 +15,41 @@ Searches::Searches(const SparseSystem& system, const Structure& structure)
       groups_(groups_of(structure, system.size())),
       norms_(norms_of(system)),
       stiffness_(system, groups_),
+      zero_(zero_motions_of(system, groups_, stiffness_)),
       impedance_(system, groups_) {}
 
-Index Searches::definite_block() const {
+Index Searches::leading_block() const {
   for (Index b = 0; b < stiffness_.blocks(); ++b) {
     if (stiffness_.definite(b)) return b;
+  }
+  for (Index b = 0; b < stiffness_.blocks(); ++b) {
+    if (stiffness_.semidefinite(b)) return b;
   }
   return -1;
 }
 
+// Below the softest motion at rest that is not free, where H is regular.
+double Searches::lowest_shift() const {
+  constexpr int attempts = 12;
+  constexpr double regular = 1e3 * singular_margin, part = 0.6, less = 0.83;
+  double next = infinity;
+  for (Index b = 0; b < stiffness_.blocks(); ++b) next = std::min(next, stiffness_.next(b));
+  if (next == infinity) next = std::pow(system_.gyroscopic_size(), 2);  // nothing but free motions
+  if (next == 0) next = 1;
+  double best = 0, sigma = part * std::sqrt(next), chosen = sigma;
+  for (int k = 0; k < attempts && best <= regular; ++k, sigma *= less) {
+    const double margin = impedance_.at(sigma)->margin;
+    if (margin > best) {
+      best = margin;
+      chosen = sigma;
+    }
+  }
+  return chosen;
+}
+
 std::unique_ptr<Search> Searches::about(double sigma, Index wanted) const {
-  const Index first = definite_block();
+  if (sigma == 0 && zero_.nullity() > 0) return about(lowest_shift(), wanted);
+  const Index first = leading_block();
   const bool lanczos = first >= 0 && !system_.singular_mass();
   if (lanczos) {
     std::unique_ptr<Inverse> inverse;
@@ -30,7 +57,8 @@ std::unique_ptr<Search> Searches::about(double sigma, Index wanted) const {
     if (sigma == 0 && !groups_.partition) inverse = std::make_unique<InverseOfMotion>(system_, stiffness_);
     if (sigma > 0 && groups_.partition) inverse = std::make_unique<InverseAtShift>(system_, groups_, impedance_.at(sigma), first);
     if (sigma > 0 && !groups_.partition) inverse = std::make_unique<InverseOfMotionAtShift>(system_, impedance_.at(sigma));
-    return std::make_unique<LanczosSearch>(system_, groups_, norms_, std::move(inverse), wanted);
+    if (zero_.nullity() > 0) inverse = std::make_unique<Deflated>(std::move(inverse), groups_, zero_);
+    return std::make_unique<LanczosSearch>(system_, groups_, norms_, zero_, std::move(inverse), wanted);
   }
   Resolvent resolvent{sigma, {}};
   if (sigma == 0) {
@@ -42,7 +70,7 @@ std::unique_ptr<Search> Searches::about(double sigma, Index wanted) const {
   } else {
     resolvent.solve = [h = impedance_.at(sigma)](const ComplexMatrix& r) { return h->solve(r); };
   }
-  return std::make_unique<ArnoldiSearch>(system_, groups_, norms_, std::move(resolvent), wanted);
+  return std::make_unique<ArnoldiSearch>(system_, groups_, norms_, zero_, std::move(resolvent), wanted);
 }
 
 Search& Searches::about_zero(Index wanted) const {
@@ -51,7 +79,7 @@ Search& Searches::about_zero(Index wanted) const {
 }
 
 std::string Searches::in_words() const {
-  return definite_block() >= 0 ? "block Lanczos about K and shifts" : "block Krylov spaces about K and shifts, projected";
+  return leading_block() >= 0 ? "block Lanczos about K and shifts" : "block Krylov spaces about K and shifts, projected";
 }
 
 }  // namespace gyromode::sparse

@@ -3,6 +3,7 @@
 #include "gyromode/sparse/search.h"
 #include "gyromode/sparse/shifted.h"
 #include "gyromode/sparse/stiffness.h"
+#include "gyromode/sparse/zero_motions.h"
 
 #include <memory>
 #include <string>
@@ -12,15 +13,16 @@ namespace gyromode::sparse {
 /// The searches that a system admits, each by the operator that fits it best, with the factorisations they share.
 class Searches {
  public:
-  /// K is factored. @throws TooLarge
+  /// K is factored. @throws TooLarge; NotApplicable where K is singular and what is free cannot be told
   Searches(const SparseSystem& system, const Structure& structure);
 
   const Groups& groups() const { return groups_; }
   const Norms& norms() const { return norms_; }
   const StiffnessFactors& stiffness() const { return stiffness_; }
+  const ZeroMotions& zero() const { return zero_; }
   /// H(ω) of ω > 0, factored.
   std::shared_ptr<const ShiftedFactor> impedance(double omega) const { return impedance_.at(omega); }
-  /// About a shift, σ = 0 being K; `wanted`: about how many roots will be asked for.
+  /// About a shift, σ = 0 being K, or where that is singular a frequency below the others; `wanted`: about how many roots will be asked for.
   std::unique_ptr<Search> about(double sigma, Index wanted) const;
   /// The one about 0, which goes on where it was left.
   Search& about_zero(Index wanted) const;
@@ -30,13 +32,15 @@ class Searches {
   std::string in_words() const;
 
  private:
-  /// The block of K that is positive definite, or −1.
-  Index definite_block() const;
+  /// The block of K that is positive semidefinite, definite where there is one, or −1.
+  Index leading_block() const;
+  double lowest_shift() const;
 
   const SparseSystem& system_;
   Groups groups_;
   Norms norms_;
   StiffnessFactors stiffness_;
+  ZeroMotions zero_;
   ShiftedImpedance impedance_;
   mutable std::unique_ptr<Search> at_zero_;
 };

@@ -65,4 +65,9 @@ SparseSystem::SparseSystem(SparseMatrices matrices) : of_(std::move(matrices)) {
   singular_mass_ = n > 0 && is_singular_mass(of_.mass, sparse::coordinate_order(places_, of_.node), of_.labels);
 }
 
+double SparseSystem::gyroscopic_size() const {
+  const Vector root = of_.mass.diagonal().cwiseSqrt().cwiseInverse();
+  return sparse::norm1(SparseMatrix(root.asDiagonal() * of_.gyroscopic * root.asDiagonal()));
+}
+
 }  // namespace gyromode

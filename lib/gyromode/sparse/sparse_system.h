@@ -42,6 +42,7 @@ class SparseSystem {
   const std::vector<int>& node() const { return of_.node; }          ///< of every coordinate
   const std::vector<int>& places() const { return places_; }         ///< of every node, in an order of elimination with little fill
   std::optional<double> gyroscopic_bound() const { return of_.gyroscopic_bound; }  ///< γ with −γM ≤ jG ≤ γM, where it is known
+  double gyroscopic_size() const;                                                  ///< about ‖M^−½GM^−½‖, by the sums of its entries
   const sparse::Basis* basis() const { return of_.basis.get(); }                   ///< null: the coordinates are those given
   /// M is positive semidefinite to rounding: some motions have no mass, and no frequency of their own.
   bool singular_mass() const { return singular_mass_; }

@@ -27,12 +27,18 @@ StiffnessFactors::StiffnessFactors(const SparseSystem& s, const Groups& groups) 
       b.negative = b.factor->factor(k);
       if (b.negative == 0 && !b.factor->singular()) break;
     }
-    b.margin = b.factor->singular() ? 0 : least_form([&](Matrix x) { return b.factor->solve(std::move(x)); }, k, m);
+    const auto solve = [&](Matrix x) { return b.factor->solve(std::move(x)); };
+    if (b.factor->singular() || least_form(solve, k, m) <= singular_margin) {
+      b.null_space = null_space_of(k, m, order);
+      b.negative = b.null_space.negative;
+      const SparseMatrix shifted = k - b.null_space.shift * m;
+      b.factor = std::make_unique<SymmetricFactor>(shifted, order, SymmetricFactor::Keep::factors);
+      b.factor->factor(shifted);
+      b.mass = m;
+    }
     blocks_.push_back(std::move(b));
   }
 }
-
-bool StiffnessFactors::definite(Index block) const { return negative(block) == 0 && margin(block) > singular_margin; }
 
 Index StiffnessFactors::negative() const {
   Index all = 0;
@@ -40,10 +46,31 @@ Index StiffnessFactors::negative() const {
   return all;
 }
 
-double StiffnessFactors::margin() const {
-  double least = 1;
-  for (const Block& b : blocks_) least = std::min(least, b.margin);
-  return least;
+Index StiffnessFactors::nullity() const {
+  Index all = 0;
+  for (const Block& b : blocks_) all += b.null_space.basis.cols();
+  return all;
+}
+
+Matrix StiffnessFactors::null_space(Index block) const {
+  const Block& of = blocks_[static_cast<std::size_t>(block)];
+  Matrix n = Matrix::Zero(system_.size(), nullity(block));
+  if (n.cols() > 0) n(of.rows, Eigen::all) = of.null_space.basis;
+  return n;
+}
+
+// (K − νM) x_{k+1} = b − νM x_k converges by ν/λ of the least λ that is not zero.
+Matrix StiffnessFactors::solve_singular(const Block& of, const Matrix& b) {
+  const Matrix &n = of.null_space.basis, mn = symmetric_times(of.mass, n);
+  const Matrix part = b - mn * (n.transpose() * b);
+  const double ratio = of.null_space.shift / of.null_space.next;
+  Matrix x = Matrix::Zero(b.rows(), b.cols());
+  for (double left = 1; left > epsilon; left *= ratio) {
+    x = of.factor->solve(part - of.null_space.shift * symmetric_times(of.mass, x));
+    x -= n * (mn.transpose() * x);
+    if (ratio == 0) break;
+  }
+  return x;
 }
 
 Matrix StiffnessFactors::solve(Index block, const Matrix& b) const {
@@ -52,7 +79,7 @@ Matrix StiffnessFactors::solve(Index block, const Matrix& b) const {
   for (Index j = 0; j < b.cols(); ++j) {
     for (Index i = 0; i < part.rows(); ++i) part(i, j) = b(of.rows[static_cast<std::size_t>(i)], j);
   }
-  part = of.factor->solve(std::move(part));
+  part = of.null_space.basis.cols() > 0 ? solve_singular(of, part) : of.factor->solve(std::move(part));
   Matrix x = Matrix::Zero(b.rows(), b.cols());
   for (Index j = 0; j < b.cols(); ++j) {
     for (Index i = 0; i < part.rows(); ++i) x(of.rows[static_cast<std::size_t>(i)], j) = part(i, j);

@@ -10,8 +10,12 @@
 
 namespace gyromode::sparse {
 
-Subspace::Subspace(const SparseSystem& system, const std::vector<bool>& across, bool partition) : system_(system), partition_(partition) {
-  for (Index i = 0; i < system.size(); ++i) rows_[across[static_cast<std::size_t>(i)] ? 1 : 0].push_back(i);
+Subspace::Subspace(const SparseSystem& system, const Groups& groups, const ZeroMotions& zero)
+    : system_(system), partition_(groups.partition) {
+  for (int g = 0; g < 2; ++g) rows_[g] = groups.rows[static_cast<std::size_t>(g)];
+  for (Index k = 0; k < zero.nullity(); ++k) append(zero.n.col(k), zero.across[static_cast<std::size_t>(k)]);
+  null_ = size_;
+  k_.topLeftCorner(null_, null_).setZero();
 }
 
 void Subspace::reserve(Index columns) {
@@ -34,8 +38,9 @@ void Subspace::append(const Matrix& fresh, bool across) {
   const Matrix kx = symmetric_times(system_.stiffness(), fresh), gx = skew_times(system_.gyroscopic(), fresh);
   const Matrix k = lapack::multiply_tn(v_.leftCols(size_), kx), g = lapack::multiply_tn(v_.leftCols(size_), gx);
   k_.block(0, first, size_, m) = k;
+  k_.block(0, first, null_, m).setZero();
   g_.block(0, first, size_, m) = g;
-  k_.block(first, 0, m, first) = k.topRows(first).transpose();
+  k_.block(first, 0, m, first) = k_.block(0, first, first, m).transpose();
   g_.block(first, 0, m, first) = -g.topRows(first).transpose();
   k_.block(first, first, m, m) = 0.5 * (k.bottomRows(m) + k.bottomRows(m).transpose());
   g_.block(first, first, m, m) = 0.5 * (g.bottomRows(m) - g.bottomRows(m).transpose());
@@ -76,10 +81,11 @@ Matrix Subspace::add(const Matrix& x) {
 void Subspace::keep(const Matrix& c) {
   constexpr double least = 1e-14;
   std::vector<Matrix> bases;
-  Index kept = 0;
+  Index kept = null_;
   for (const bool across : {false, true}) {
     Matrix part = c;
-    for (Index i = 0; i < size_; ++i) {
+    part.topRows(null_).setZero();
+    for (Index i = null_; i < size_; ++i) {
       if (column_across_[static_cast<std::size_t>(i)] != across) part.row(i).setZero();
     }
     for (Index j = 0; j < part.cols(); ++j) {
@@ -91,7 +97,7 @@ void Subspace::keep(const Matrix& c) {
     bases.push_back(std::move(part));
   }
   Matrix y(size_, kept);
-  y << bases[0], bases[1];
+  y << Matrix::Identity(size_, null_), bases[0], bases[1];
   const Matrix k = y.transpose() * stiffness() * y, g = y.transpose() * gyroscopic() * y;
   for (Matrix* a : {&v_, &mv_}) {
     constexpr Index rows = 4096;  // in pieces, so that no second basis is needed
@@ -103,8 +109,11 @@ void Subspace::keep(const Matrix& c) {
   }
   size_ = kept;
   k_.topLeftCorner(size_, size_) = 0.5 * (k + k.transpose());
+  k_.topRows(null_).setZero();
+  k_.leftCols(null_).setZero();
   g_.topLeftCorner(size_, size_) = 0.5 * (g - g.transpose());
-  column_across_.assign(static_cast<std::size_t>(bases[0].cols()), false);
+  column_across_.resize(static_cast<std::size_t>(null_));
+  column_across_.insert(column_across_.end(), static_cast<std::size_t>(bases[0].cols()), false);
   column_across_.insert(column_across_.end(), static_cast<std::size_t>(bases[1].cols()), true);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/lapack/multiply.h"
-#include "gyromode/sparse/sparse_system.h"
+#include "gyromode/sparse/zero_motions.h"
 
 #include <vector>
 
@@ -11,7 +11,8 @@ namespace gyromode::sparse {
 /// has entries of one group alone, so that the projected system has the partition too.
 class Subspace {
  public:
-  Subspace(const SparseSystem& system, const std::vector<bool>& across, bool partition);
+  /// Holds null(K) from the beginning, with rows of VᵀKV that are exactly zero.
+  Subspace(const SparseSystem& system, const Groups& groups, const ZeroMotions& zero);
 
   /// Adds what is new in the columns of x (n × m), group by group. @returns the coefficients of x in V after that, p ×
   /// m
@@ -26,7 +27,7 @@ class Subspace {
   Matrix gyroscopic() const { return g_.topLeftCorner(size_, size_); }
   /// Of every column, whether it is in quadrature.
   const std::vector<bool>& across() const { return column_across_; }
-  /// Keeps what the combinations of columns given (p × any number) span.
+  /// Keeps what the combinations of columns given (p × any number) span, and null(K).
   void keep(const Matrix& c);
 
  private:
@@ -36,7 +37,7 @@ class Subspace {
   const SparseSystem& system_;
   std::vector<Index> rows_[2];  // in phase, in quadrature
   bool partition_;
-  Index size_ = 0;
+  Index size_ = 0, null_ = 0;
   Matrix v_, mv_, k_, g_;
   std::vector<bool> column_across_;
 };
