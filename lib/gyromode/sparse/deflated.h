@@ -15,6 +15,7 @@ class Deflated : public Inverse {
   Deflated(std::unique_ptr<Inverse> of, const Groups& groups, const ZeroMotions& zero);
 
   Index length() const override { return of_->length(); }
+  Index dimension() const override { return of_->dimension() - out_.cols(); }
   bool skew() const override { return of_->skew(); }
   States start(const Matrix& shapes) const override { return without_zero(of_->start(shapes)); }
   States apply(const States& u) const override { return without_zero(of_->apply(u)); }

@@ -16,6 +16,7 @@ class Inverse {
   virtual ~Inverse() = default;
 
   virtual Index length() const = 0;                      ///< of a state
+  virtual Index dimension() const { return length(); }   ///< of the space of states
   virtual bool skew() const { return false; }            ///< then θ is imaginary, and |θ| stands for it
   virtual States start(const Matrix& shapes) const = 0;  ///< smooth states from shapes, n × m, of any kind
   virtual States apply(const States& u) const = 0;       ///< of u, and E times that, without a product with K where it can be

@@ -45,7 +45,8 @@ States Lanczos::orthonormalised(States w, Matrix& onto, Matrix& rest) const {
       lapack::multiply_into(w.ex, -1, eu_.leftCols(size_), false, c, false, 1);
     else
       w.ex = inverse_.inner(w.x);
-    const Matrix gram = lapack::multiply_tn(w.x, w.ex), t = orthonormal_combinations(gram, least);
+    const Matrix gram = lapack::multiply_tn(w.x, w.ex), fresh = orthonormal_combinations(gram, least),
+                 t = fresh.leftCols(std::min(fresh.cols(), inverse_.dimension() - size_));
     w.x = w.x * t;
     w.ex = w.ex * t;
     rest = (t.transpose() * gram) * rest;
