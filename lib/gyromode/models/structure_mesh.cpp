@@ -75,6 +75,31 @@ void require_shared_directions(const Nodes& nodes, const Eigen::Matrix3d& cross)
   }
 }
 
+// Translations T across the axis, where nothing holds them: KT = −Ω²MT to rounding. Of directions across the axis the
+// first is along a coordinate, if one is.
+Matrix free_translations(const StructureParts& p) {
+  constexpr double rounding_of_file = 1e-11, across = 1e-9;
+  const Eigen::Vector3d axis = Eigen::Vector3d(p.axis[0], p.axis[1], p.axis[2]).normalized();
+  Eigen::Vector3d first = axis.unitOrthogonal();
+  for (int d = 2; d >= 0; --d) {
+    if (std::abs(axis(d)) <= across) first = Eigen::Vector3d::Unit(d);
+  }
+  const Eigen::Vector3d second = axis.cross(first);
+  Matrix t(p.mass.cols(), 2);
+  for (Index k = 0; k < t.rows(); ++k) {
+    const int d = p.coordinates[static_cast<std::size_t>(k)].direction;
+    t.row(k) << first(d), second(d);
+  }
+  const Matrix held = sparse::symmetric_times(p.stiffness, t) + p.spin * p.spin * sparse::symmetric_times(p.mass, t);
+  const Vector sizes = sparse::sizes_of(p.stiffness, t.cwiseAbs());
+  for (Index k = 0; k < 2; ++k) {
+    const Vector diagonal = p.stiffness.diagonal().cwiseAbs().cwiseMax(1e-300);
+    const double off = std::sqrt(held.col(k).cwiseAbs2().cwiseQuotient(diagonal).sum() / std::max(sizes(k), 1e-300));
+    if (off > rounding_of_file) return Matrix(t.rows(), 0);
+  }
+  return t;
+}
+
 }  // namespace
 
 SparseMatrices assembled(const StructureParts& p) {
@@ -146,6 +171,7 @@ SparseMatrices assembled(const StructureParts& p) {
   if (whole) all.gyroscopic_bound = 2 * std::abs(p.spin) * with_rounding;
   all.mass = p.mass;
   all.stiffness = p.stiffness;
+  if (whole && p.spin != 0) all.translations = free_translations(p);
   for (const MeshCoordinate& c : p.coordinates) all.labels.push_back(name_of(c));
   all.node = nodes.of;
   return all;

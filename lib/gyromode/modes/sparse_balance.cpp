@@ -23,10 +23,10 @@ Matrix parts_of(const ComplexVector& shape) {
 
 SparseBalance::SparseBalance(const SparseSystem& system, const sparse::Searches& searches, const Progress& progress)
     : system_(system), searches_(searches) {
-  index_.negative = searches_.stiffness().negative();
-  index_.zero = searches_.zero().zero_pairs();
-  index_.zero_negative = searches_.zero().negative;
-  index_.closed = exhibited() == index_.negative && !searches_.zero().doubtful;
+  index_.negative = searches_.negative_stiffness();
+  index_.zero = searches_.free().zero_pairs();
+  index_.zero_negative = searches_.free().negative;
+  index_.closed = exhibited() == index_.negative && !searches_.free().doubtful;
   if (!index_.closed && index_.negative <= most_negative) close(progress);
 }
 
@@ -43,7 +43,7 @@ bool SparseBalance::take(const sparse::MeasuredRoots& found) {
   index_.real_pairs = std::count_if(unstable_.begin(), unstable_.end(), [](const auto& u) { return u.lambda.imag() == 0; });
   index_.quadruples = static_cast<Index>(unstable_.size()) - index_.real_pairs;
   index_.negative_energy = static_cast<Index>(negative_.size());
-  index_.closed = exhibited() == index_.negative && !searches_.zero().doubtful;
+  index_.closed = exhibited() == index_.negative && !searches_.free().doubtful;
   return index_.closed;
 }
 
@@ -63,7 +63,7 @@ void SparseBalance::close(const Progress& progress) {
 // Where what is near 0 does not close the balance shifts up to there are tried. Of searches that found the same motion
 // one remains, by a projection on the shapes of all.
 void SparseBalance::close_farther(double farthest, const Progress& progress) {
-  sparse::Subspace shapes(system_, searches_.groups(), searches_.zero());
+  sparse::Subspace shapes(system_, searches_.groups(), searches_.free());
   const auto keep = [&] {
     for (const sparse::RitzMode& m : negative_) shapes.add(parts_of(m.shape));
     for (const sparse::RitzUnstable& u : unstable_) shapes.add(parts_of(u.shape));
@@ -83,7 +83,7 @@ void SparseBalance::close_farther(double farthest, const Progress& progress) {
 }
 
 std::string SparseBalance::open_reason() const {
-  if (searches_.zero().doubtful)
+  if (searches_.free().doubtful)
     return "what G makes of the null space of K, or a sign of the form that decides on its motions, comes within rounding of zero";
   if (index_.negative > most_negative)
     return fmt::format("n₋(K) = {}: the motions that take so many negative directions are not looked for beyond {}", index_.negative,

@@ -24,7 +24,7 @@ Inertia SparseCounts::at(double omega) const {
   if (known != counted_.end()) return known->second;
   searches_.release_zero();  // it makes room
   const auto h = searches_.impedance(omega);
-  i.negative = h->negative;
+  i.negative = searches_.negative_at(omega);
   i.positive = system_.size() - i.negative;
   const double rounding = system_.basis() ? 10 * system_.basis()->departure : 0;
   i.margin = h->margin > std::max(sparse::singular_margin, rounding) ? 1 : 0;

@@ -16,7 +16,7 @@ class SparseCounts {
 
   Inertia at(double omega) const;
   /// n₋(H(0⁺)).
-  Index at_zero() const { return searches_.stiffness().negative() + searches_.zero().more_at_zero(); }
+  Index at_zero() const { return searches_.negative_stiffness() + searches_.free().more_at_zero(); }
   /// How far H(ω) is from singular.
   double margin(double omega) const;
   /// Modes in (a, b).

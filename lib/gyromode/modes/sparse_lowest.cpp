@@ -40,8 +40,8 @@ SparseModes SparseLowest::near_zero(Index wanted, const Window& range) const {
 bool SparseLowest::close_at_rest(const SparseModes& low, Index wanted) const {
   if (balance_.index().negative > 0 || !system_.gyroscopic_bound() || size_of(low) <= wanted) return false;
   const double gamma = *system_.gyroscopic_bound();
-  const Vector resting = sparse::resting_squares(system_, searches_.zero(), low);
-  const Index paired = searches_.zero().pairs;  // of null(K), by G: they are modes that turn
+  const Vector resting = sparse::resting_squares(system_, searches_.free(), low);
+  const Index paired = searches_.free().pairs;  // of null(K), by G: they are modes that turn
   double best = 0, sigma = 0;
   Index below = 0;
   for (Index k = wanted; k < size_of(low); ++k) {

@@ -64,12 +64,18 @@ Mode SparseSpectrum::mode_of(const sparse::RitzMode& m, bool with_shape) const {
 }
 
 Mode SparseSpectrum::zero_mode(Index which, bool with_shape) const {
-  const sparse::ZeroMotions& zero = searches_.zero();
+  const sparse::FreeMotions& free = searches_.free();
   Mode mode;
   mode.energy_sign = 0;
   mode.kind = rigid() ? ModeKind::rigid_body : ModeKind::vibration;
-  const Index drifts = zero.drift.cols();
-  const Vector shape = which < drifts ? zero.drift.col(which) : zero.n.col(which - drifts);
+  Vector shape;
+  if (which < free.drift.cols()) {
+    shape = free.drift.col(which);
+  } else {  // one for every pair that G couples
+    Index left = which - free.drift.cols(), k = 0;
+    while (free.drifts[static_cast<std::size_t>(k)] || left-- > 0) ++k;
+    shape = free.n.col(k);
+  }
   mode.residual = sparse::symmetric_times(system_.stiffness(), shape).norm() / (searches_.norms().k * shape.norm());
   if (with_shape) mode.shape = normalised(in_given(shape.cast<Complex>()));
   return mode;
@@ -77,7 +83,7 @@ Mode SparseSpectrum::zero_mode(Index which, bool with_shape) const {
 
 void SparseSpectrum::describe(ModesResult& r, bool with_shapes) const {
   r.structure = system_.basis() ? system_.basis()->given : structure_;
-  r.stiffness = {balance_.index().negative, searches_.zero().nullity()};
+  r.stiffness = {balance_.index().negative, searches_.free().nullity()};
   r.solver =
       fmt::format("sparse: {}{}; counts by LDLᵀ of {} (MUMPS)", system_.basis() ? system_.basis()->in_words + ", " : "",
                   searches_.in_words(), searches_.groups().partition ? "H*, real of order n" : "H(ω) in real arithmetic of order 2n");

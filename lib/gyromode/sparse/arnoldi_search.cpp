@@ -29,7 +29,7 @@ std::vector<Index> nearest(const Vector& omega, double shift) {
 
 }  // namespace
 
-ArnoldiSearch::ArnoldiSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, const ZeroMotions& zero,
+ArnoldiSearch::ArnoldiSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, const FreeMotions& free,
                              Resolvent resolvent, Index wanted)
     : system_(system),
       groups_(groups),
@@ -38,7 +38,7 @@ ArnoldiSearch::ArnoldiSearch(const SparseSystem& system, const Groups& groups, c
       wanted_(wanted),
       most_(room_for(wanted)),
       tolerance_(1e-11),  // of a residual
-      v_(system, groups, zero) {
+      v_(system, groups, free) {
   krylov_ = std::make_unique<Krylov>(system_, groups_, resolvent_, v_);
   refresh(block_width);
 }

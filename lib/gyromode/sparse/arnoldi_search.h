@@ -11,7 +11,7 @@ namespace gyromode::sparse {
 /// from the motions nearest to the shift.
 class ArnoldiSearch : public Search {
  public:
-  ArnoldiSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, const ZeroMotions& zero, Resolvent resolvent,
+  ArnoldiSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, const FreeMotions& free, Resolvent resolvent,
                 Index wanted);
 
   bool step() override;

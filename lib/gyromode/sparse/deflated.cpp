@@ -16,50 +16,78 @@ std::vector<Index> columns_of(const std::vector<bool>& across, bool wanted) {
   return all;
 }
 
+// States D that are taken away, with E D and weights L, LᵀD = 1: w loses D Lᵀw.
 struct Parts {
   Matrix out, weight, e_out;
-  Index drifting = 0;  // the last columns
+
+  explicit Parts(Index length) : out(length, 0), weight(length, 0), e_out(length, 0) {}
+  // Columns in their rows, beside those there are.
+  void add(const Matrix& d, const Matrix& l, const Matrix& ed) {
+    for (const auto& [to, columns] : {std::pair(&out, &d), {&weight, &l}, {&e_out, &ed}}) {
+      Matrix both(to->rows(), to->cols() + columns->cols());
+      both << *to, *columns;
+      *to = std::move(both);
+    }
+  }
+  // States with ⟨D, D⟩ of their own: taken away E-orthogonally.
+  void add_orthogonally(const Matrix& d, const Matrix& ed) {
+    if (d.cols() > 0) add(d, ed * (d.transpose() * ed).llt().solve(Matrix::Identity(d.cols(), d.cols())), ed);
+  }
 };
 
+// MN₀ of N₀ in the span of N.
+Matrix mass_times_drift(const FreeMotions& f, const Matrix& drift) { return f.mn * (f.mn.transpose() * drift); }
+
+Matrix above(const Matrix& x) {
+  Matrix both = Matrix::Zero(2 * x.rows(), x.cols());
+  both.topRows(x.rows()) = x;
+  return both;
+}
+
+Matrix stacked(const Matrix& x, const Matrix& y) {
+  Matrix both(2 * x.rows(), x.cols());
+  both << x, y;
+  return both;
+}
+
 // Of states (q, q̇).
-Parts of_pairs(const ZeroMotions& z, Index n) {
-  const Index r = z.nullity(), d = z.drift.cols();
-  Parts p{Matrix::Zero(2 * n, r + d), Matrix::Zero(2 * n, r + d), Matrix::Zero(2 * n, r + d), d};
-  p.out.topLeftCorner(n, r) = z.n;
-  p.weight.topLeftCorner(n, r) = z.mn;
-  p.out.rightCols(d) << z.response, z.drift;
-  p.e_out.rightCols(d) << z.held, z.mn * (z.mn.transpose() * z.drift);  // MN₀, N₀ being in the span of N
+Parts of_pairs(const FreeMotions& f, Index n) {
+  Parts p(2 * n);
+  const Matrix none = Matrix::Zero(n, f.t.cols());
+  p.add(above(f.n), above(f.mn), Matrix::Zero(2 * n, f.nullity()));
+  p.add(above(f.t), above(f.mt), above(f.kt));
+  p.add(stacked(none, f.t), stacked(none, f.mt), stacked(none, f.mt));
+  p.add_orthogonally(stacked(f.response, f.drift), stacked(f.held, mass_times_drift(f, f.drift)));
   return p;
 }
 
-// Of states (x, ẏ) in the order of coordinates, x of the group `leading`: N of that group, and drift of the other.
-Parts of_groups(const ZeroMotions& z, Index n, bool leading) {
-  const std::vector<Index> still = columns_of(z.across, leading), drift = columns_of(z.drift_across, !leading);
-  const Index r = static_cast<Index>(still.size()), d = static_cast<Index>(drift.size());
-  Parts p{Matrix::Zero(n, r + d), Matrix::Zero(n, r + d), Matrix::Zero(n, r + d), d};
-  p.out.leftCols(r) = z.n(Eigen::all, still);
-  p.weight.leftCols(r) = z.mn(Eigen::all, still);
-  const Matrix n0 = z.drift(Eigen::all, drift);
-  p.out.rightCols(d) = n0 + z.response(Eigen::all, drift);  // rows of the other group, and of the leading one
-  p.e_out.rightCols(d) = z.held(Eigen::all, drift) + z.mn * (z.mn.transpose() * n0);
+// Of states (x, ẏ) in the order of coordinates, x of the group that is across, `leading`, or of the other one: N and T of
+// x, drift and T of ẏ.
+Parts of_groups(const FreeMotions& f, Index n, bool leading) {
+  const auto some = [](const Matrix& a, const std::vector<Index>& columns) { return Matrix(a(Eigen::all, columns)); };
+  const std::vector<Index> still = columns_of(f.across, leading), drift = columns_of(f.drift_across, !leading),
+                           t = columns_of(f.t_across, leading), t_rate = columns_of(f.t_across, !leading);
+  Parts p(n);
+  p.add(some(f.n, still), some(f.mn, still), Matrix::Zero(n, static_cast<Index>(still.size())));
+  p.add(some(f.t, t), some(f.mt, t), some(f.kt, t));
+  p.add(some(f.t, t_rate), some(f.mt, t_rate), some(f.mt, t_rate));
+  const Matrix n0 = some(f.drift, drift);
+  p.add_orthogonally(n0 + some(f.response, drift), some(f.held, drift) + mass_times_drift(f, n0));
   return p;
 }
 
 }  // namespace
 
-Deflated::Deflated(std::unique_ptr<Inverse> of, const Groups& groups, const ZeroMotions& zero) : of_(std::move(of)) {
-  Parts p = groups.partition ? of_groups(zero, zero.n.rows(), of_->leading_group() == 1) : of_pairs(zero, zero.n.rows());
-  const Index d = p.drifting;
-  if (d > 0) {
-    const Matrix drift = p.out.rightCols(d), e_drift = p.e_out.rightCols(d), gram = drift.transpose() * e_drift;
-    p.weight.rightCols(d) = e_drift * gram.llt().solve(Matrix::Identity(d, d));
-  }
-  out_ = groups.partition ? of_->states(p.out) : p.out;
-  weight_ = groups.partition ? of_->states(p.weight) : p.weight;
-  e_out_ = groups.partition ? of_->states(p.e_out) : p.e_out;
+Deflated::Deflated(std::unique_ptr<Inverse> of, const Groups& groups, const FreeMotions& free) : of_(std::move(of)) {
+  const Index n = free.n.rows();
+  const Parts p = groups.partition ? of_groups(free, n, of_->leading_group() == 1) : of_pairs(free, n);
+  const auto in_states = [&](const Matrix& x) { return groups.partition ? of_->states(x) : x; };
+  out_ = in_states(p.out);
+  weight_ = in_states(p.weight);
+  e_out_ = in_states(p.e_out);
 }
 
-States Deflated::without_zero(States w) const {
+States Deflated::without_free(States w) const {
   const Matrix c = lapack::multiply_tn(weight_, w.x);
   lapack::multiply_into(w.x, -1, out_, false, c, false, 1);
   lapack::multiply_into(w.ex, -1, e_out_, false, c, false, 1);

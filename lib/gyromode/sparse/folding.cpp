@@ -80,12 +80,26 @@ SparseMatrix folded_matrix(const SparseMatrix& a, const Involution& s, double tr
 
 }  // namespace
 
+Matrix folded(const Involution& s, const Matrix& q) {
+  constexpr double root = std::numbers::sqrt2 / 2;
+  Matrix p = q;
+  for (Index i = 0; i < p.rows(); ++i) {
+    const Index other = s.partner[static_cast<std::size_t>(i)];
+    if (other <= i) continue;
+    const double sign = s.sign[static_cast<std::size_t>(i)];
+    p.row(i) = root * (q.row(i) + sign * q.row(other));
+    p.row(other) = root * (q.row(i) - sign * q.row(other));
+  }
+  return p;
+}
+
 SparseMatrices folded(const SparseMatrices& m, const Involution& s) {
   SparseMatrices f;
   f.mass = folded_matrix(m.mass, s, 1, 1);
   f.gyroscopic = folded_matrix(m.gyroscopic, s, -1, -1);
   f.stiffness = folded_matrix(m.stiffness, s, 1, 1);
   f.gyroscopic_bound = m.gyroscopic_bound;
+  f.translations = folded(s, m.translations);
   // Nodes of pairs become one; numbers from 0 without gaps.
   std::vector<int> fresh(m.node.size(), -1);
   int next = 0;

@@ -27,6 +27,8 @@ Departure departure_of(const SparseMatrices& matrices, const Involution& s);
 /// nothing else. Both of a pair belong to the node of i. The result has no labels.
 SparseMatrices folded(const SparseMatrices& matrices, const Involution& s);
 
+/// p = Fᵀq of columns q.
+Matrix folded(const Involution& s, const Matrix& q);
 /// q = F p.
 ComplexVector unfolded(const Involution& s, const ComplexVector& p);
 

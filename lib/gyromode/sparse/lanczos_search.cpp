@@ -26,12 +26,12 @@ std::vector<Index> some_of(const std::vector<Index>& all, std::size_t first) {
 
 }  // namespace
 
-LanczosSearch::LanczosSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, const ZeroMotions& zero,
+LanczosSearch::LanczosSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, const FreeMotions& free,
                              std::unique_ptr<Inverse> inverse, Index wanted)
     : system_(system),
       groups_(groups),
       norms_(norms),
-      zero_(zero),
+      free_(free),
       inverse_(std::move(inverse)),
       lanczos_(*inverse_, system.size(), width, room_for(wanted, inverse_->length() > system.size())) {}
 
@@ -62,7 +62,7 @@ Search::Found LanczosSearch::found(const Window& range) const {
   }
   Found f = measured_motions(r, on_axis, omega);
   if (spanned.empty()) return f;
-  Subspace v(system_, groups_, zero_);
+  Subspace v(system_, groups_, free_);
   for (std::size_t first = 0; first < spanned.size(); first += width)
     v.add(inverse_->shapes(lanczos_.refined(r.re(Eigen::all, some_of(spanned, first)))));
   Found projected = measured_in(system_, norms_, v, range);
@@ -93,7 +93,7 @@ Search::Found LanczosSearch::measured_motions(const Lanczos::Ritz& r, const std:
   Found f;
   for (int pass = 1;; ++pass) {
     ShapeBlock found = motions_of(groups_, kind, expected, first, second);
-    if (groups_.partition) complete(zero_, kind.leads, expected, found.re, found.im);
+    if (groups_.partition) complete(free_, kind.leads, expected, found.re, found.im);
     f.modes = measured(system_, groups_, norms_, found, all);
     bool good = true;
     for (Index k = 0; k < m; ++k) {

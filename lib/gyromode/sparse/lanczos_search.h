@@ -3,7 +3,7 @@
 #include "gyromode/sparse/groups.h"
 #include "gyromode/sparse/lanczos.h"
 #include "gyromode/sparse/search.h"
-#include "gyromode/sparse/zero_motions.h"
+#include "gyromode/sparse/free_motions.h"
 
 #include <memory>
 
@@ -13,7 +13,7 @@ namespace gyromode::sparse {
 class LanczosSearch : public Search {
  public:
   /// `wanted`: about how many roots will be asked for.
-  LanczosSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, const ZeroMotions& zero,
+  LanczosSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, const FreeMotions& free,
                 std::unique_ptr<Inverse> inverse, Index wanted);
 
   bool step() override { return lanczos_.step(); }
@@ -28,7 +28,7 @@ class LanczosSearch : public Search {
   const SparseSystem& system_;
   const Groups& groups_;
   const Norms& norms_;
-  const ZeroMotions& zero_;
+  const FreeMotions& free_;
   std::unique_ptr<Inverse> inverse_;
   Lanczos lanczos_;
 };

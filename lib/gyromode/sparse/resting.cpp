@@ -12,7 +12,7 @@
 namespace gyromode::sparse {
 
 Index negative_at_rest(const SparseSystem& s, const Groups& groups, double mu) {
-  Index negative = 0;
+  Index negative = -s.translations().cols();
   for (const std::vector<Index>& rows : groups.rows) {
     if (rows.empty()) continue;
     const SparseMatrix a = restricted(s.stiffness(), rows) - mu * restricted(s.mass(), rows);
@@ -25,12 +25,12 @@ Index negative_at_rest(const SparseSystem& s, const Groups& groups, double mu) {
 }
 
 // Real and imaginary parts apart, each as far as it is there.
-Vector resting_squares(const SparseSystem& s, const ZeroMotions& zero, const std::vector<RitzMode>& shapes) {
+Vector resting_squares(const SparseSystem& s, const FreeMotions& free, const std::vector<RitzMode>& shapes) {
   Matrix x(s.size(), 2 * static_cast<Index>(shapes.size()));
   Index columns = 0;
   for (const RitzMode& m : shapes) {
     for (Vector part : {Vector(m.shape.real()), Vector(m.shape.imag())}) {
-      if (zero.nullity() > 0) part -= zero.n * (zero.mn.transpose() * part);
+      if (free.nullity() > 0) part -= free.n * (free.mn.transpose() * part);
       const double size = part.norm();
       if (size > 0) x.col(columns++) = part / size;
     }

@@ -6,6 +6,7 @@
 #include "gyromode/sparse/inverses.h"
 #include "gyromode/sparse/lanczos_search.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gyromode::sparse {
@@ -15,15 +16,20 @@ Searches::Searches(const SparseSystem& system, const Structure& structure)
       groups_(groups_of(structure, system.size())),
       norms_(norms_of(system)),
       stiffness_(system, groups_),
-      zero_(zero_motions_of(system, groups_, stiffness_)),
+      free_(free_motions_of(system, groups_, stiffness_)),
       impedance_(system, groups_) {}
+
+Index Searches::negative(Index block) const {
+  const bool across = groups_.partition && (stiffness_.blocks() == 1 ? groups_.rows[0].empty() : block == 1);
+  return stiffness_.negative(block) - std::count(free_.t_across.begin(), free_.t_across.end(), across);
+}
 
 Index Searches::leading_block() const {
   for (Index b = 0; b < stiffness_.blocks(); ++b) {
-    if (stiffness_.definite(b)) return b;
+    if (negative(b) == 0 && stiffness_.nullity(b) == 0) return b;
   }
   for (Index b = 0; b < stiffness_.blocks(); ++b) {
-    if (stiffness_.semidefinite(b)) return b;
+    if (negative(b) == 0) return b;
   }
   return -1;
 }
@@ -48,7 +54,7 @@ double Searches::lowest_shift() const {
 }
 
 std::unique_ptr<Search> Searches::about(double sigma, Index wanted) const {
-  if (sigma == 0 && zero_.nullity() > 0) return about(lowest_shift(), wanted);
+  if (sigma == 0 && free_.nullity() > 0) return about(lowest_shift(), wanted);
   const Index first = leading_block();
   const bool lanczos = first >= 0 && !system_.singular_mass();
   if (lanczos) {
@@ -57,8 +63,8 @@ std::unique_ptr<Search> Searches::about(double sigma, Index wanted) const {
     if (sigma == 0 && !groups_.partition) inverse = std::make_unique<InverseOfMotion>(system_, stiffness_);
     if (sigma > 0 && groups_.partition) inverse = std::make_unique<InverseAtShift>(system_, groups_, impedance_.at(sigma), first);
     if (sigma > 0 && !groups_.partition) inverse = std::make_unique<InverseOfMotionAtShift>(system_, impedance_.at(sigma));
-    if (zero_.nullity() > 0) inverse = std::make_unique<Deflated>(std::move(inverse), groups_, zero_);
-    return std::make_unique<LanczosSearch>(system_, groups_, norms_, zero_, std::move(inverse), wanted);
+    if (free_.any()) inverse = std::make_unique<Deflated>(std::move(inverse), groups_, free_);
+    return std::make_unique<LanczosSearch>(system_, groups_, norms_, free_, std::move(inverse), wanted);
   }
   Resolvent resolvent{sigma, {}};
   if (sigma == 0) {
@@ -70,7 +76,7 @@ std::unique_ptr<Search> Searches::about(double sigma, Index wanted) const {
   } else {
     resolvent.solve = [h = impedance_.at(sigma)](const ComplexMatrix& r) { return h->solve(r); };
   }
-  return std::make_unique<ArnoldiSearch>(system_, groups_, norms_, zero_, std::move(resolvent), wanted);
+  return std::make_unique<ArnoldiSearch>(system_, groups_, norms_, free_, std::move(resolvent), wanted);
 }
 
 Search& Searches::about_zero(Index wanted) const {

@@ -3,7 +3,7 @@
 #include "gyromode/sparse/search.h"
 #include "gyromode/sparse/shifted.h"
 #include "gyromode/sparse/stiffness.h"
-#include "gyromode/sparse/zero_motions.h"
+#include "gyromode/sparse/free_motions.h"
 
 #include <memory>
 #include <string>
@@ -19,7 +19,10 @@ class Searches {
   const Groups& groups() const { return groups_; }
   const Norms& norms() const { return norms_; }
   const StiffnessFactors& stiffness() const { return stiffness_; }
-  const ZeroMotions& zero() const { return zero_; }
+  const FreeMotions& free() const { return free_; }
+  /// n₋(K), and n₋(H(ω)) of ω > 0, of what is not left out as free.
+  Index negative_stiffness() const { return stiffness_.negative() - free_.t.cols(); }
+  Index negative_at(double omega) const { return impedance(omega)->negative - free_.t.cols(); }
   /// H(ω) of ω > 0, factored.
   std::shared_ptr<const ShiftedFactor> impedance(double omega) const { return impedance_.at(omega); }
   /// About a shift, σ = 0 being K, or where that is singular a frequency below the others; `wanted`: about how many roots will be asked for.
@@ -32,6 +35,7 @@ class Searches {
   std::string in_words() const;
 
  private:
+  Index negative(Index block) const;
   /// The block of K that is positive semidefinite, definite where there is one, or −1.
   Index leading_block() const;
   double lowest_shift() const;
@@ -40,7 +44,7 @@ class Searches {
   Groups groups_;
   Norms norms_;
   StiffnessFactors stiffness_;
-  ZeroMotions zero_;
+  FreeMotions free_;
   ShiftedImpedance impedance_;
   mutable std::unique_ptr<Search> at_zero_;
 };

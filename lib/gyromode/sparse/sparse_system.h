@@ -22,6 +22,10 @@ struct SparseMatrices {
   std::vector<int> node;    ///< of every coordinate, from 0; empty: each its own
   /// γ with −γM ≤ jG ≤ γM, where it is known: 2|Ω| for axes that turn at Ω. Counts may rest on it.
   std::optional<double> gyroscopic_bound = std::nullopt;
+  /// Translations T, n × t, of a body that nothing holds across its axis: KT = −Ω²MT to rounding, and GT is in the span
+  /// of MT. They keep to themselves, at a double root Ω that is no vibration, and are left out: what is searched and
+  /// counted are motions with TᵀMq = 0.
+  Matrix translations{};
   /// Where these are not the coordinates given: those. Results are in them; labels too.
   std::shared_ptr<const sparse::Basis> basis = nullptr;
 };
@@ -40,6 +44,7 @@ class SparseSystem {
   const SparseMatrix& stiffness() const { return of_.stiffness; }    ///< lower triangle
   const Labels& labels() const { return of_.labels; }                ///< n
   const std::vector<int>& node() const { return of_.node; }          ///< of every coordinate
+  const Matrix& translations() const { return of_.translations; }   ///< n × t: left out of every search and count
   const std::vector<int>& places() const { return places_; }         ///< of every node, in an order of elimination with little fill
   std::optional<double> gyroscopic_bound() const { return of_.gyroscopic_bound; }  ///< γ with −γM ≤ jG ≤ γM, where it is known
   double gyroscopic_size() const;                                                  ///< about ‖M^−½GM^−½‖, by the sums of its entries

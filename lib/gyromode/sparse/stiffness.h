@@ -21,9 +21,6 @@ class StiffnessFactors {
   Index blocks() const { return static_cast<Index>(blocks_.size()); }
   Index negative(Index block) const { return blocks_[static_cast<std::size_t>(block)].negative; }
   Index negative() const;
-  /// Whether a block is positive definite, or semidefinite.
-  bool definite(Index block) const { return negative(block) == 0 && nullity(block) == 0; }
-  bool semidefinite(Index block) const { return negative(block) == 0; }
   Index nullity(Index block) const { return blocks_[static_cast<std::size_t>(block)].null_space.basis.cols(); }
   Index nullity() const;
   /// N of a block, n × r: NᵀMN = 1, with rows of that block alone.

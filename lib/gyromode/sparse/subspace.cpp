@@ -10,12 +10,17 @@
 
 namespace gyromode::sparse {
 
-Subspace::Subspace(const SparseSystem& system, const Groups& groups, const ZeroMotions& zero)
-    : system_(system), partition_(groups.partition) {
+Subspace::Subspace(const SparseSystem& system, const Groups& groups, const FreeMotions& free)
+    : system_(system), free_(free), partition_(groups.partition) {
   for (int g = 0; g < 2; ++g) rows_[g] = groups.rows[static_cast<std::size_t>(g)];
-  for (Index k = 0; k < zero.nullity(); ++k) append(zero.n.col(k), zero.across[static_cast<std::size_t>(k)]);
+  for (Index k = 0; k < free.nullity(); ++k) append(free.n.col(k), free.across[static_cast<std::size_t>(k)]);
   null_ = size_;
   k_.topLeftCorner(null_, null_).setZero();
+  for (Index k = 0; k < null_; ++k) {
+    if (!free.drifts[static_cast<std::size_t>(k)]) continue;
+    g_.row(k).head(null_).setZero();
+    g_.col(k).head(null_).setZero();
+  }
 }
 
 void Subspace::reserve(Index columns) {
@@ -67,6 +72,7 @@ Matrix Subspace::add(const Matrix& x) {
     part = Matrix(part(Eigen::all, there));
     for (Index j = 0; j < part.cols(); ++j) part.col(j) /= std::sqrt(squares(there[static_cast<std::size_t>(j)]));
     for (const double square : least) {
+      if (free_.t.cols() > 0) part -= free_.t * lapack::multiply_tn(free_.mt, part);
       if (size_ > 0) lapack::multiply_into(part, -1, v_.leftCols(size_), false, lapack::multiply_tn(mv_.leftCols(size_), part), false, 1);
       part = part * orthonormal_combinations(part.transpose() * symmetric_times(system_.mass(), part), square);
     }
@@ -111,7 +117,9 @@ void Subspace::keep(const Matrix& c) {
   k_.topLeftCorner(size_, size_) = 0.5 * (k + k.transpose());
   k_.topRows(null_).setZero();
   k_.leftCols(null_).setZero();
+  const Matrix still = g_.topLeftCorner(null_, null_);
   g_.topLeftCorner(size_, size_) = 0.5 * (g - g.transpose());
+  g_.topLeftCorner(null_, null_) = still;
   column_across_.resize(static_cast<std::size_t>(null_));
   column_across_.insert(column_across_.end(), static_cast<std::size_t>(bases[0].cols()), false);
   column_across_.insert(column_across_.end(), static_cast<std::size_t>(bases[1].cols()), true);

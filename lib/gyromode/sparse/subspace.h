@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gyromode/lapack/multiply.h"
-#include "gyromode/sparse/zero_motions.h"
+#include "gyromode/sparse/free_motions.h"
 
 #include <vector>
 
@@ -11,8 +11,8 @@ namespace gyromode::sparse {
 /// has entries of one group alone, so that the projected system has the partition too.
 class Subspace {
  public:
-  /// Holds null(K) from the beginning, with rows of VᵀKV that are exactly zero.
-  Subspace(const SparseSystem& system, const Groups& groups, const ZeroMotions& zero);
+  /// Holds null(K) from the beginning, with what is zero of VᵀKV and VᵀGV exactly zero; never translations that are left out.
+  Subspace(const SparseSystem& system, const Groups& groups, const FreeMotions& free);
 
   /// Adds what is new in the columns of x (n × m), group by group. @returns the coefficients of x in V after that, p ×
   /// m
@@ -35,6 +35,7 @@ class Subspace {
   void reserve(Index columns);
 
   const SparseSystem& system_;
+  const FreeMotions& free_;
   std::vector<Index> rows_[2];  // in phase, in quadrature
   bool partition_;
   Index size_ = 0, null_ = 0;
