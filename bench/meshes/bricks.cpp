@@ -1,6 +1,11 @@
 #include "meshes/bricks.h"
 
+#include "gyromode/sparse/factor.h"
+#include "gyromode/sparse/node_order.h"
+
 #include <Eigen/LU>
+
+#include <algorithm>
 
 #include <cmath>
 #include <numbers>
@@ -26,14 +31,30 @@ Eigen::Matrix<double, 6, 6> elasticity(const Material& of) {
   return d;
 }
 
-void element(const std::array<std::array<double, 3>, 8>& x, const Material& of, Element& k, Scalar8& m) {
-  const auto d = elasticity(of);
-  k.setZero();
-  m.setZero();
+using Corners = std::array<std::array<double, 3>, 8>;
+
+// A point of integration: its volume, the shape functions of the corners there, and their slopes.
+struct Point {
+  double volume = 0;
+  Eigen::Matrix<double, 8, 1> shape;
+  Eigen::Matrix<double, 8, 3> slope;
+
+  Eigen::Matrix<double, 6, 24> strain() const {
+    Eigen::Matrix<double, 6, 24> b = Eigen::Matrix<double, 6, 24>::Zero();
+    for (int c = 0; c < 8; ++c) {
+      const double bx = slope(c, 0), by = slope(c, 1), bz = slope(c, 2);
+      b.block<6, 3>(0, 3 * c) << bx, 0, 0, 0, by, 0, 0, 0, bz, by, bx, 0, 0, bz, by, bz, 0, bx;
+    }
+    return b;
+  }
+};
+
+std::array<Point, 8> points_of(const Corners& x) {
+  std::array<Point, 8> all;
   const double at = 1 / std::sqrt(3.0);
-  for (const auto& g : corner) {
+  for (std::size_t n = 0; n < 8; ++n) {
+    const auto& g = corner[n];
     Eigen::Matrix<double, 8, 3> slope;
-    Eigen::Matrix<double, 8, 1> shape;
     for (int c = 0; c < 8; ++c) {
       double f[3], s[3];
       for (int i = 0; i < 3; ++i) {
@@ -42,7 +63,7 @@ void element(const std::array<std::array<double, 3>, 8>& x, const Material& of, 
         f[i] = 0.5 * (1 + sign * p);
         s[i] = 0.5 * sign;
       }
-      shape(c) = f[0] * f[1] * f[2];
+      all[n].shape(c) = f[0] * f[1] * f[2];
       slope.row(c) << s[0] * f[1] * f[2], f[0] * s[1] * f[2], f[0] * f[1] * s[2];
     }
     Eigen::Matrix3d j = Eigen::Matrix3d::Zero();
@@ -50,16 +71,39 @@ void element(const std::array<std::array<double, 3>, 8>& x, const Material& of, 
       const auto& p = x[static_cast<std::size_t>(c)];
       j += slope.row(c).transpose() * Eigen::RowVector3d(p[0], p[1], p[2]);
     }
-    const double volume = std::abs(j.determinant());
-    const Eigen::Matrix<double, 8, 3> b = slope * j.inverse().transpose();
-    Eigen::Matrix<double, 6, 24> strain = Eigen::Matrix<double, 6, 24>::Zero();
-    for (int c = 0; c < 8; ++c) {
-      const double bx = b(c, 0), by = b(c, 1), bz = b(c, 2);
-      strain.block<6, 3>(0, 3 * c) << bx, 0, 0, 0, by, 0, 0, 0, bz, by, bx, 0, 0, bz, by, bz, 0, bx;
-    }
-    k += volume * strain.transpose() * d * strain;
-    m += of.density * volume * shape * shape.transpose();
+    all[n].volume = std::abs(j.determinant());
+    all[n].slope = slope * j.inverse().transpose();
   }
+  return all;
+}
+
+void element(const Corners& x, const Material& of, Element& k, Scalar8& m) {
+  const auto d = elasticity(of);
+  k.setZero();
+  m.setZero();
+  for (const Point& p : points_of(x)) {
+    k += p.volume * p.strain().transpose() * d * p.strain();
+    m += of.density * p.volume * p.shape * p.shape.transpose();
+  }
+}
+
+// ∫ ∇N σ ∇Nᵀ of the stress σ that the displacements u of the corners make.
+Scalar8 stress_stiffness(const Corners& x, const Material& of, const Eigen::Matrix<double, 24, 1>& u) {
+  const auto d = elasticity(of);
+  Scalar8 k = Scalar8::Zero();
+  for (const Point& p : points_of(x)) {
+    const Eigen::Matrix<double, 6, 1> s = d * p.strain() * u;
+    Eigen::Matrix3d stress;
+    stress << s(0), s(3), s(5), s(3), s(1), s(4), s(5), s(4), s(2);
+    k += p.volume * p.slope * stress * p.slope.transpose();
+  }
+  return k;
+}
+
+Corners corners_of(const BrickMesh& mesh, const std::array<int, 8>& brick) {
+  Corners x{};
+  for (std::size_t c = 0; c < 8; ++c) x[c] = mesh.nodes[static_cast<std::size_t>(brick[c])];
+  return x;
 }
 
 }  // namespace
@@ -146,7 +190,7 @@ BrickMesh bladed_disc(int blades, int fine, double twist, double lean) {
   return m;
 }
 
-StructureParts assembled_bricks(const BrickMesh& mesh, const Material& material, double spin) {
+StructureParts assembled_bricks(const BrickMesh& mesh, const Material& material, double spin, const Vector& displacement) {
   StructureParts p;
   p.spin = spin;
   std::vector<int> first(mesh.nodes.size(), -1);
@@ -159,9 +203,14 @@ StructureParts assembled_bricks(const BrickMesh& mesh, const Material& material,
   Element k;
   Scalar8 m;
   for (const auto& b : mesh.bricks) {
-    std::array<std::array<double, 3>, 8> x{};
-    for (std::size_t c = 0; c < 8; ++c) x[c] = mesh.nodes[static_cast<std::size_t>(b[c])];
+    const Corners x = corners_of(mesh, b);
     element(x, material, k, m);
+    Scalar8 stressed = Scalar8::Zero();
+    if (displacement.size() > 0) {
+      Eigen::Matrix<double, 24, 1> u;
+      for (std::size_t c = 0; c < 8; ++c) u.segment<3>(3 * static_cast<Index>(c)) = displacement.segment<3>(3 * b[c]);
+      stressed = stress_stiffness(x, material, u);
+    }
     for (std::size_t c = 0; c < 8; ++c) {
       for (std::size_t d = 0; d < 8; ++d) {
         const int row = first[static_cast<std::size_t>(b[c])], column = first[static_cast<std::size_t>(b[d])];
@@ -172,6 +221,7 @@ StructureParts assembled_bricks(const BrickMesh& mesh, const Material& material,
             if (row + i < column + j) continue;
             double value = k(3 * rc + i, 3 * cc + j);
             if (i == j) {
+              value += stressed(rc, cc);
               mass.emplace_back(row + i, column + j, m(rc, cc));
               if (i < 2) value -= spin * spin * m(rc, cc);
             }
@@ -188,6 +238,47 @@ StructureParts assembled_bricks(const BrickMesh& mesh, const Material& material,
   std::vector<Eigen::Triplet<double>>().swap(mass);
   p.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
   return p;
+}
+
+// K u = Ω²M r, r the arms across z. What balances itself needs no support but six of three corners.
+Vector displacement_under_spin(const BrickMesh& mesh, const Material& material, double spin) {
+  const StructureParts still = assembled_bricks(mesh, material, 0);
+  const auto n = static_cast<Index>(still.coordinates.size());
+  Matrix arms(n, 1);
+  std::vector<Index> kept;
+  std::vector<int> node;
+  const auto& first = mesh.nodes.front();
+  const bool free = std::none_of(mesh.held.begin(), mesh.held.end(), [](bool held) { return held; });
+  const auto farthest = [&](std::size_t d) {  // along an edge from the first node
+    long best = 0;
+    for (std::size_t k = 0; k < mesh.nodes.size(); ++k) {
+      const auto& at = mesh.nodes[k];
+      const bool on_edge = at[(d + 1) % 3] == first[(d + 1) % 3] && at[(d + 2) % 3] == first[(d + 2) % 3];
+      if (on_edge && std::abs(at[d] - first[d]) > std::abs(mesh.nodes[static_cast<std::size_t>(best)][d] - first[d])) best = static_cast<long>(k);
+    }
+    return best + 1;
+  };
+  const long along_x = farthest(0), along_y = farthest(1);
+  for (Index k = 0; k < n; ++k) {
+    const MeshCoordinate& c = still.coordinates[static_cast<std::size_t>(k)];
+    arms(k, 0) = c.direction < 2 ? mesh.nodes[static_cast<std::size_t>(c.node - 1)][static_cast<std::size_t>(c.direction)] : 0;
+    const bool supported = free && (c.node == 1 || (c.node == along_x && c.direction > 0) || (c.node == along_y && c.direction == 2));
+    if (supported) continue;
+    kept.push_back(k);
+    node.push_back(static_cast<int>(c.node - 1));
+  }
+  const Matrix load = spin * spin * sparse::symmetric_times(still.mass, arms);
+  const SparseMatrix k = sparse::restricted(still.stiffness, kept);
+  const std::vector<int> order = sparse::coordinate_order(sparse::node_places({&k}, node), node);
+  sparse::SymmetricFactor factor(k, order, sparse::SymmetricFactor::Keep::factors);
+  factor.factor(k);
+  const Matrix u = factor.solve(load(kept, Eigen::all));
+  Vector all = Vector::Zero(3 * static_cast<Index>(mesh.nodes.size()));
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const MeshCoordinate& c = still.coordinates[static_cast<std::size_t>(kept[i])];
+    all(3 * (c.node - 1) + c.direction) = u(static_cast<Index>(i), 0);
+  }
+  return all;
 }
 
 }  // namespace gyromode::bench

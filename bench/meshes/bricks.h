@@ -28,7 +28,10 @@ BrickMesh box(std::array<double, 3> size, std::array<int, 3> bricks, bool clampe
 BrickMesh bladed_disc(int blades, int fine, double twist, double lean);
 
 /// M (consistent) and K (2 × 2 × 2 points, with the softening −Ω²M across the axis) in axes that turn at `spin` about
-/// z.
-StructureParts assembled_bricks(const BrickMesh& mesh, const Material& material, double spin);
+/// z; with the stress that a displacement of all nodes, three numbers each, makes, where one is given.
+StructureParts assembled_bricks(const BrickMesh& mesh, const Material& material, double spin, const Vector& displacement = {});
+
+/// What the spin does to the mesh at rest in its axes. Without its stress a body that nothing holds has no free turning.
+Vector displacement_under_spin(const BrickMesh& mesh, const Material& material, double spin);
 
 }  // namespace gyromode::bench

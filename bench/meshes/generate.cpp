@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
   std::vector<double> size{0.1, 0.104, 1.0};
   double spin = 100, twist = 0, lean = 0;
   int blades = 4, fine = 1;
-  app.add_option("KIND", kind, "cantilever, shaft (free) or disc (with blades)")
+  app.add_option("KIND", kind, "cantilever, shaft (free, under the stress of its spin) or disc (with blades)")
       ->required()
       ->check(CLI::IsMember({"cantilever", "shaft", "disc"}));
   app.add_option("-o", folder, "folder to write to")->required();
@@ -54,7 +54,8 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   const BrickMesh mesh = kind == "disc" ? bladed_disc(blades, fine, twist, lean)
                                         : box({size[0], size[1], size[2]}, {bricks[0], bricks[1], bricks[2]}, kind == "cantilever");
-  const StructureParts p = assembled_bricks(mesh, {}, spin);
+  const StructureParts p =
+      assembled_bricks(mesh, {}, spin, kind == "shaft" ? displacement_under_spin(mesh, {}, spin) : Vector());
   std::filesystem::create_directories(folder);
   const std::filesystem::path to = folder;
   write(p.mass, to / "model.mas");

@@ -27,15 +27,13 @@ Matrix MassNormal::coupling(const Matrix& b, const MassNormal& other) const {
   return a;
 }
 
-StiffnessFactor::StiffnessFactor(const Matrix& k) {
+std::optional<StiffnessFactor> StiffnessFactor::of(const Matrix& k, const StiffnessInertia& known) {
+  if (known.factor) return StiffnessFactor(known.factor);
+  if (known.negative > 0) return std::nullopt;
   PositiveFactor f{unit_diagonal_scale(k), {}};
   f.l = scaled(k, f.scale);
-  if (lapack::cholesky(f.l)) throw NotConverged("the stiffness of a group is not numerically positive definite");
-  factor_ = std::make_shared<const PositiveFactor>(std::move(f));
-}
-
-StiffnessFactor::StiffnessFactor(const Matrix& k, const StiffnessInertia& known) {
-  *this = known.factor ? StiffnessFactor(known.factor) : StiffnessFactor(k);
+  if (lapack::cholesky(f.l)) return std::nullopt;
+  return StiffnessFactor(std::make_shared<const PositiveFactor>(std::move(f)));
 }
 
 // F = E⁻¹ L.

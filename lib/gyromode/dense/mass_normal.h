@@ -5,6 +5,7 @@
 #include "gyromode/structure/inertia_of_k.h"
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace gyromode::dense {
@@ -13,10 +14,9 @@ namespace gyromode::dense {
 /// eigenvalues of a graded K keep their digits.
 class StiffnessFactor {
  public:
-  /// Throws NotConverged where the factorisation fails.
-  explicit StiffnessFactor(const Matrix& k);
-  /// The same with what is known of K, its factor among it where it has one.
-  StiffnessFactor(const Matrix& k, const StiffnessInertia& known);
+  /// Of a K of which that is known, its factor among it where it has one. Nothing where K is not positive definite, or
+  /// where it cannot be told from a semidefinite one.
+  static std::optional<StiffnessFactor> of(const Matrix& k, const StiffnessInertia& known);
 
   /// diag(d) F.
   Matrix scaled_rows(const Vector& d) const;

@@ -15,8 +15,8 @@ namespace {
 void solve_regular(const SecondOrder& m, const StiffnessInertia& d, Spectrum& s) {
   const MassNormal normal(m.mass);
   const Matrix gamma = normal.gyroscopic(m.gyroscopic);
-  if (d.negative == 0) {
-    ComplexModes modes = definite_modes(gamma, normal.stiffness_root(StiffnessFactor(m.stiffness, d)));
+  if (const auto factor = StiffnessFactor::of(m.stiffness, d)) {
+    ComplexModes modes = definite_modes(gamma, normal.stiffness_root(*factor));
     s.omega = std::move(modes.omega);
     s.re = std::move(modes.re);
     s.im = std::move(modes.im);

@@ -16,10 +16,9 @@ namespace {
 StiffnessBlock block(const MassNormal& normal, const Matrix& k, const StiffnessInertia& d) {
   StiffnessBlock::Recipe root;
   ShapeCoordinates physical{[&normal](MatrixSpan x) { normal.to_physical(x); }, {}};
-  if (d.negative == 0) {
-    const auto factor = std::make_shared<std::optional<StiffnessFactor>>();
-    root = [&normal, &k, &d, factor] { return normal.stiffness_root(factor->emplace(k, d)); };
-    physical.from_root = [factor](MatrixSpan s) { (*factor)->to_physical(s); };
+  if (const auto factor = StiffnessFactor::of(k, d)) {
+    root = [&normal, factor] { return normal.stiffness_root(*factor); };
+    physical.from_root = [factor](MatrixSpan s) { factor->to_physical(s); };
   }
   StiffnessBlock made(
       k.rows(), [&normal, &k] { return normal.stiffness(k); }, std::move(root));
