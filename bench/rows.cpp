@@ -56,7 +56,8 @@ Matrix w_matrix(const System& system, const Component& component) {
   const auto& second = component.in_quadrature;
   const dense::MassNormal m1(dense::restricted(system.mass(), first, first));
   const dense::MassNormal m2(dense::restricted(system.mass(), second, second));
-  const Matrix f = m1.stiffness_root(dense::StiffnessFactor(dense::restricted(system.stiffness(), first, first)));
+  const Matrix k1 = dense::restricted(system.stiffness(), first, first);
+  const Matrix f = m1.stiffness_root(*dense::StiffnessFactor::of(k1, inertia_of_k(k1)));
   const Matrix b = m1.coupling(dense::restricted(system.gyroscopic(), first, second), m2);
   Matrix fb(f.rows(), f.cols() + b.cols());
   fb << f, b;

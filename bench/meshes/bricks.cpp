@@ -254,7 +254,8 @@ Vector displacement_under_spin(const BrickMesh& mesh, const Material& material, 
     for (std::size_t k = 0; k < mesh.nodes.size(); ++k) {
       const auto& at = mesh.nodes[k];
       const bool on_edge = at[(d + 1) % 3] == first[(d + 1) % 3] && at[(d + 2) % 3] == first[(d + 2) % 3];
-      if (on_edge && std::abs(at[d] - first[d]) > std::abs(mesh.nodes[static_cast<std::size_t>(best)][d] - first[d])) best = static_cast<long>(k);
+      if (on_edge && std::abs(at[d] - first[d]) > std::abs(mesh.nodes[static_cast<std::size_t>(best)][d] - first[d]))
+        best = static_cast<long>(k);
     }
     return best + 1;
   };

@@ -31,7 +31,8 @@ BrickMesh bladed_disc(int blades, int fine, double twist, double lean);
 /// z; with the stress that a displacement of all nodes, three numbers each, makes, where one is given.
 StructureParts assembled_bricks(const BrickMesh& mesh, const Material& material, double spin, const Vector& displacement = {});
 
-/// What the spin does to the mesh at rest in its axes. Without its stress a body that nothing holds has no free turning.
+/// What the spin does to the mesh at rest in its axes. Without its stress a body that nothing holds has no free
+/// turning.
 Vector displacement_under_spin(const BrickMesh& mesh, const Material& material, double spin);
 
 }  // namespace gyromode::bench

@@ -45,7 +45,8 @@ TEST(MassNormal, Identities) {
     Vector d(n);
     for (Index i = 0; i < n; ++i) d(i) = std::ldexp(1.0, static_cast<int>(source.integer(-40, 40)));
     const MassNormal mixed(d.asDiagonal() * m * d.asDiagonal());
-    EXPECT_EQ(mixed.stiffness(d.asDiagonal() * k * d.asDiagonal()), normal.stiffness(k));
+    const Matrix scaled = d.asDiagonal() * k * d.asDiagonal();
+    EXPECT_EQ(mixed.stiffness(scaled), normal.stiffness(k));
     EXPECT_EQ(mixed.stiffness_root(*StiffnessFactor::of(scaled, inertia_of_k(scaled))), f);
   }
 }

@@ -37,7 +37,8 @@ bool expect_as_dense(const Matrix& m, const Matrix& g, const Matrix& k, const st
   EXPECT_TRUE(r.is_complete()) << which << ": " << r.coverage.reason;
   EXPECT_EQ(r.modes.size(), last + 1) << which;
   for (std::size_t i = 0; i < std::min(last + 1, r.modes.size()); ++i) {
-    EXPECT_NEAR(r.modes[i].omega, all[i], 1e-10 * all[i] + dense.modes[i].error_bound) << which << " " << i << ": residual " << r.modes[i].residual << ", bound " << r.modes[i].error_bound;
+    EXPECT_NEAR(r.modes[i].omega, all[i], 1e-10 * all[i] + dense.modes[i].error_bound)
+        << which << " " << i << ": residual " << r.modes[i].residual << ", bound " << r.modes[i].error_bound;
     EXPECT_EQ(r.modes[i].energy_sign, dense.modes[i].energy_sign) << which << " " << i;
     EXPECT_EQ(r.modes[i].kind, dense.modes[i].kind) << which << " " << i;
     EXPECT_LT(r.modes[i].residual, 1e-10) << which << " " << i;

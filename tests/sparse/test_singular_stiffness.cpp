@@ -71,7 +71,8 @@ TEST(SingularStiffness, IsAsTheDenseEngineHasIt) {
     const Chain c = chain_of(source, source.integer(24, draw % 5 == 4 ? 200 : 80), partition, draw % 3 == 2 ? source.integer(1, 2) : 0,
                              source.integer(1, 3));
     const double spin = draw % 4 == 1 ? std::exp2(static_cast<double>(source.integer(-16, 6))) : 1;
-    if (!support::expect_as_dense(c.m * unit, c.g * (spin * unit / time), c.k * (unit / (time * time)), fmt::format("draw {}", draw))) continue;
+    if (!support::expect_as_dense(c.m * unit, c.g * (spin * unit / time), c.k * (unit / (time * time)), fmt::format("draw {}", draw)))
+      continue;
     ++compared;
     if (c.free > 0) ++singular;
   }

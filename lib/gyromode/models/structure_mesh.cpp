@@ -75,10 +75,20 @@ void require_shared_directions(const Nodes& nodes, const Eigen::Matrix3d& cross)
   }
 }
 
+// ‖y‖ of y = Kx − what it should be, relative to |x|ᵀ|K||x|, of every column.
+Vector departures(const SparseMatrix& k, const Matrix& x, const Matrix& y) {
+  const Vector diagonal = k.diagonal().cwiseAbs().cwiseMax(1e-300), sizes = sparse::sizes_of(k, x.cwiseAbs());
+  Vector all(x.cols());
+  for (Index j = 0; j < x.cols(); ++j) all(j) = std::sqrt(y.col(j).cwiseAbs2().cwiseQuotient(diagonal).sum() / std::max(sizes(j), 1e-300));
+  return all;
+}
+
+constexpr double rounding_of_file = 1e-11;
+
 // Translations T across the axis, where nothing holds them: KT = −Ω²MT to rounding. Of directions across the axis the
 // first is along a coordinate, if one is.
 Matrix free_translations(const StructureParts& p) {
-  constexpr double rounding_of_file = 1e-11, across = 1e-9;
+  constexpr double across = 1e-9;
   const Eigen::Vector3d axis = Eigen::Vector3d(p.axis[0], p.axis[1], p.axis[2]).normalized();
   Eigen::Vector3d first = axis.unitOrthogonal();
   for (int d = 2; d >= 0; --d) {
@@ -91,13 +101,29 @@ Matrix free_translations(const StructureParts& p) {
     t.row(k) << first(d), second(d);
   }
   const Matrix held = sparse::symmetric_times(p.stiffness, t) + p.spin * p.spin * sparse::symmetric_times(p.mass, t);
-  const Vector sizes = sparse::sizes_of(p.stiffness, t.cwiseAbs());
-  for (Index k = 0; k < 2; ++k) {
-    const Vector diagonal = p.stiffness.diagonal().cwiseAbs().cwiseMax(1e-300);
-    const double off = std::sqrt(held.col(k).cwiseAbs2().cwiseQuotient(diagonal).sum() / std::max(sizes(k), 1e-300));
-    if (off > rounding_of_file) return Matrix(t.rows(), 0);
+  return departures(p.stiffness, t, held).maxCoeff() > rounding_of_file ? Matrix(t.rows(), 0) : t;
+}
+
+// Along the axis, and where positions are known about it through the centre of mass: those that K takes to zero.
+Matrix free_along_axis(const StructureParts& p) {
+  const Eigen::Vector3d axis = Eigen::Vector3d(p.axis[0], p.axis[1], p.axis[2]).normalized();
+  const auto centre = p.positions.empty() ? std::nullopt : facts_of(p).centre;
+  const Eigen::Vector3d middle =
+      centre ? Eigen::Vector3d((*centre)[0], (*centre)[1], (*centre)[2]) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  Matrix r = Matrix::Zero(p.mass.cols(), centre ? 2 : 1);
+  for (Index k = 0; k < r.rows(); ++k) {
+    const int d = p.coordinates[static_cast<std::size_t>(k)].direction;
+    r(k, 0) = axis(d);
+    if (!centre) continue;
+    const auto& at = p.positions[static_cast<std::size_t>(k)];
+    r(k, 1) = axis.cross(Eigen::Vector3d(at[0], at[1], at[2]) - middle)(d);
   }
-  return t;
+  const Vector off = departures(p.stiffness, r, sparse::symmetric_times(p.stiffness, r));
+  std::vector<Index> there;
+  for (Index k = 0; k < r.cols(); ++k) {
+    if (off(k) <= rounding_of_file) there.push_back(k);
+  }
+  return r(Eigen::all, there);
 }
 
 }  // namespace
@@ -172,6 +198,7 @@ SparseMatrices assembled(const StructureParts& p) {
   all.mass = p.mass;
   all.stiffness = p.stiffness;
   if (whole && p.spin != 0) all.translations = free_translations(p);
+  all.rigid = free_along_axis(p);
   for (const MeshCoordinate& c : p.coordinates) all.labels.push_back(name_of(c));
   all.node = nodes.of;
   return all;

@@ -90,8 +90,16 @@ StructureReport StructureModel::structure(std::optional<double> at) const {
 }
 
 std::vector<std::string> StructureModel::doubts(bool) const {
-  if (!system_.singular_mass()) return {};
-  return {"M is singular to rounding, as elements of reduced integration leave it: motions without mass have no frequency of their own"};
+  std::vector<std::string> all;
+  if (system_.singular_mass())
+    all.push_back(
+        "M is singular to rounding, as elements of reduced integration leave it: motions without mass have no frequency of their own");
+  if (system_.translations().cols() > 0)
+    all.push_back(
+        fmt::format("nothing holds the body across its axis: its translation, a double root at the spin {:.6g} rad/s, is no vibration and "
+                    "is left out",
+                    std::abs(parts_.spin)));
+  return all;
 }
 
 SmallStructureModel::SmallStructureModel(StructureParts parts) : DelegatingModel(dense_model_of(parts)), parts_(std::move(parts)) {
@@ -119,7 +127,11 @@ StructureReport SmallStructureModel::structure(std::optional<double> at) const {
 
 std::shared_ptr<const ModelKind> model_of_structure(StructureParts parts) {
   constexpr Index few = 1000;
-  if (parts.mass.cols() > few || SparseSystem(assembled(parts)).singular_mass()) return std::make_shared<StructureModel>(std::move(parts));
+  const auto needs_sparse = [&] {
+    const SparseSystem s(assembled(parts));
+    return s.singular_mass() || s.translations().cols() > 0 || s.rigid().cols() > 0;
+  };
+  if (parts.mass.cols() > few || needs_sparse()) return std::make_shared<StructureModel>(std::move(parts));
   return std::make_shared<SmallStructureModel>(std::move(parts));
 }
 

@@ -40,7 +40,8 @@ class SmallStructureModel : public DelegatingModel {
   double departure_ = 0;
 };
 
-/// The model of a mesh: dense up to 1000 coordinates where M is positive definite, else sparse. @throws LawBroken;
+/// The model of a mesh: dense up to 1000 coordinates where M is positive definite and the body is held in all
+/// directions, else sparse. @throws LawBroken;
 /// TooLarge
 std::shared_ptr<const ModelKind> model_of_structure(StructureParts parts);
 

@@ -8,8 +8,8 @@
 
 namespace gyromode {
 
-/// The index balance of a sparse system, n₋(K) = k_r + 2k_c + 2k₋ + n₋(F) (theory T12), with the motions that make it: those of
-/// negative energy and those that grow are looked for near ω = 0 until it closes.
+/// The index balance of a sparse system, n₋(K) = k_r + 2k_c + 2k₋ + n₋(F) (theory T12), with the motions that make it:
+/// those of negative energy and those that grow are looked for near ω = 0 until it closes.
 class SparseBalance {
  public:
   SparseBalance(const SparseSystem& system, const sparse::Searches& searches, const Progress& progress);

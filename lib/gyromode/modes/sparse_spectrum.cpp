@@ -88,11 +88,11 @@ void SparseSpectrum::describe(ModesResult& r, bool with_shapes) const {
       fmt::format("sparse: {}{}; counts by LDLᵀ of {} (MUMPS)", system_.basis() ? system_.basis()->in_words + ", " : "",
                   searches_.in_words(), searches_.groups().partition ? "H*, real of order n" : "H(ω) in real arithmetic of order 2n");
   r.opposite_gap = infinity;
-  r.stability = !balance_.index().closed       ? Stability::unknown
-                : !balance_.unstable().empty() ? Stability::unstable
-                : balance_.index().negative == 0 ? Stability::stable
-                : balance_.index().zero > 0    ? Stability::marginal
-                                               : Stability::gyroscopically_stabilised;
+  r.stability = !balance_.index().closed                ? Stability::unknown
+                : !balance_.unstable().empty()          ? Stability::unstable
+                : balance_.index().negative == 0        ? Stability::stable
+                : balance_.index().zero > 0 && !rigid() ? Stability::marginal
+                                                        : Stability::gyroscopically_stabilised;
   for (const sparse::RitzMode& m : balance_.negative()) r.negative_modes.push_back(mode_of(m, with_shapes));
   for (const sparse::RitzUnstable& u : balance_.unstable()) {
     r.unstable.push_back({u.lambda.real(), u.lambda.imag(), u.residual, u.error_bound, {}});

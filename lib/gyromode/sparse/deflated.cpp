@@ -61,8 +61,8 @@ Parts of_pairs(const FreeMotions& f, Index n) {
   return p;
 }
 
-// Of states (x, ẏ) in the order of coordinates, x of the group that is across, `leading`, or of the other one: N and T of
-// x, drift and T of ẏ.
+// Of states (x, ẏ) in the order of coordinates, x of the group that is across, `leading`, or of the other one: N and T
+// of x, drift and T of ẏ.
 Parts of_groups(const FreeMotions& f, Index n, bool leading) {
   const auto some = [](const Matrix& a, const std::vector<Index>& columns) { return Matrix(a(Eigen::all, columns)); };
   const std::vector<Index> still = columns_of(f.across, leading), drift = columns_of(f.drift_across, !leading),

@@ -100,6 +100,7 @@ SparseMatrices folded(const SparseMatrices& m, const Involution& s) {
   f.stiffness = folded_matrix(m.stiffness, s, 1, 1);
   f.gyroscopic_bound = m.gyroscopic_bound;
   f.translations = folded(s, m.translations);
+  f.rigid = folded(s, m.rigid);
   // Nodes of pairs become one; numbers from 0 without gaps.
   std::vector<int> fresh(m.node.size(), -1);
   int next = 0;

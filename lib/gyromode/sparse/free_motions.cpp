@@ -64,11 +64,28 @@ void add_translations(const SparseSystem& s, const Groups& groups, FreeMotions& 
     }
   }
   for (Index k = 0; k < given.cols(); ++k) {
-    for (Index before = 0; before < k; ++before) f.t.col(k) -= f.t.col(before) * symmetric_times(s.mass(), f.t.col(before)).col(0).dot(f.t.col(k));
+    for (Index before = 0; before < k; ++before)
+      f.t.col(k) -= f.t.col(before) * symmetric_times(s.mass(), f.t.col(before)).col(0).dot(f.t.col(k));
     f.t.col(k) /= std::sqrt(f.t.col(k).dot(symmetric_times(s.mass(), f.t.col(k)).col(0)));
   }
   f.mt = symmetric_times(s.mass(), f.t);
   f.kt = symmetric_times(s.stiffness(), f.t);
+}
+
+// Whether the rigid motions known span N.
+bool spanned_by_known(const SparseSystem& s, const FreeMotions& f) {
+  constexpr double rounding = 1e-6;  // N is known to that, as above
+  if (s.rigid().cols() == 0) return false;
+  const Matrix mr = symmetric_times(s.mass(), s.rigid()), inside = f.n.transpose() * mr, gram = s.rigid().transpose() * mr;
+  Index rank = 0;
+  const Eigen::SelfAdjointEigenSolver<Matrix> e(gram);
+  for (Index k = 0; k < gram.cols(); ++k) {
+    if (!(e.eigenvalues()(k) > rounding * e.eigenvalues().maxCoeff())) continue;
+    const Vector c = e.eigenvectors().col(k);
+    if ((inside * c).squaredNorm() < (1 - rounding) * e.eigenvalues()(k)) return false;
+    ++rank;
+  }
+  return rank == f.nullity();
 }
 
 }  // namespace
@@ -115,6 +132,7 @@ FreeMotions free_motions_of(const SparseSystem& s, const Groups& groups, const S
     z.drift_across.push_back(z.across[static_cast<std::size_t>(k)]);
   }
   z.drift = z.n(Eigen::all, drifting);
+  z.rigid = spanned_by_known(s, z);
   z.held = -z.gn(Eigen::all, drifting);
   z.held -= z.mn * (z.n.transpose() * z.held);
   z.response = Matrix::Zero(s.size(), z.drift.cols());

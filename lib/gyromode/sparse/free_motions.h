@@ -17,13 +17,14 @@ struct FreeMotions {
   std::vector<bool> drifts;  ///< of every column of N, whether it is one of N₀: NᵀG of it is zero to rounding
   Matrix drift;              ///< N₀, n × (r − 2s), its columns as those of N
   std::vector<bool> drift_across;
-  Matrix response;           ///< R = −K⁺GN₀, n × (r − 2s)
-  Matrix held;               ///< KR = −GN₀
-  Index pairs = 0;           ///< s
-  Index negative = 0;        ///< n₋(F), F = N₀ᵀ(M + GᵀK⁺G)N₀
-  bool doubtful = false;     ///< a rank, or a sign of F, that rounding may decide otherwise
+  Matrix response;        ///< R = −K⁺GN₀, n × (r − 2s)
+  Matrix held;            ///< KR = −GN₀
+  Index pairs = 0;        ///< s
+  Index negative = 0;     ///< n₋(F), F = N₀ᵀ(M + GᵀK⁺G)N₀
+  bool rigid = false;     ///< null(K) is spanned by motions of a rigid body that the system is known to have
+  bool doubtful = false;  ///< a rank, or a sign of F, that rounding may decide otherwise
 
-  Matrix t, mt, kt;            ///< T, MT and KT, n × any number, TᵀMT = 1, as translations of the system; columns as those of N
+  Matrix t, mt, kt;  ///< T, MT and KT, n × any number, TᵀMT = 1, as translations of the system; columns as those of N
   std::vector<bool> t_across;
 
   bool any() const { return nullity() + t.cols() > 0; }

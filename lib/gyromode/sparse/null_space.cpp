@@ -50,8 +50,8 @@ Matrix orthonormal_in_turn(Matrix x, const SparseMatrix& mass) {
   return x.leftCols(kept);
 }
 
-// Block inverse iteration with A − μM, and every time a projection on what comes. Columns nearest to zero come first, so
-// that the others, of which little is left beside them, are made orthogonal to these and not these to them.
+// Block inverse iteration with A − μM, and every time a projection on what comes. Columns nearest to zero come first,
+// so that the others, of which little is left beside them, are made orthogonal to these and not these to them.
 About about_zero(SymmetricFactor& factor, const SparseMatrix& a, const SparseMatrix& mass, Index columns) {
   constexpr int steps = 5;
   constexpr unsigned draw = 11;
@@ -96,9 +96,10 @@ NullSpace null_space_of(const SparseMatrix& a, const SparseMatrix& mass, const s
     n.next = r < near.lambda.size() ? std::abs(near.lambda(r)) : infinity;
     n.shift = r < near.lambda.size() ? std::sqrt(rounding * n.next) : std::max(apart * rounding, first_shift * stiff);
     if (n.next < apart * rounding)
-      throw NotApplicable(fmt::format("K is singular to rounding in {} directions, and ω² = {:.3g} of another one comes too near to that: "
-                                      "which motions are free cannot be told",
-                                      r, n.next));
+      throw NotApplicable(
+          fmt::format("K is singular to rounding in {} directions, and ω² = {:.3g} of another one comes too near to that: "
+                      "which motions are free cannot be told",
+                      r, n.next));
     SymmetricFactor counts(shifted(a, 1, mass), order, SymmetricFactor::Keep::counts);
     const Index below = counts.factor(shifted(a, n.shift, mass));
     n.negative = counts.factor(shifted(a, -n.shift, mass));
@@ -107,9 +108,10 @@ NullSpace null_space_of(const SparseMatrix& a, const SparseMatrix& mass, const s
       return n;
     }
     if (columns >= most_directions || below - n.negative < r)
-      throw NotApplicable(fmt::format("K is singular to rounding in {} directions where counts on both sides of zero make {}: which motions "
-                                      "are free cannot be told",
-                                      r, below - n.negative));
+      throw NotApplicable(
+          fmt::format("K is singular to rounding in {} directions where counts on both sides of zero make {}: which motions "
+                      "are free cannot be told",
+                      r, below - n.negative));
   }
   return n;
 }

@@ -25,7 +25,8 @@ class Searches {
   Index negative_at(double omega) const { return impedance(omega)->negative - free_.t.cols(); }
   /// H(ω) of ω > 0, factored.
   std::shared_ptr<const ShiftedFactor> impedance(double omega) const { return impedance_.at(omega); }
-  /// About a shift, σ = 0 being K, or where that is singular a frequency below the others; `wanted`: about how many roots will be asked for.
+  /// About a shift, σ = 0 being K, or where that is singular a frequency below the others; `wanted`: about how many
+  /// roots will be asked for.
   std::unique_ptr<Search> about(double sigma, Index wanted) const;
   /// The one about 0, which goes on where it was left.
   Search& about_zero(Index wanted) const;

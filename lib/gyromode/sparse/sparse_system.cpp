@@ -55,8 +55,10 @@ SparseSystem::SparseSystem(SparseMatrices matrices) : of_(std::move(matrices)) {
   require_lower("M", of_.mass, n, true);
   require_lower("G", of_.gyroscopic, n, false);
   require_lower("K", of_.stiffness, n, true);
-  if (of_.translations.cols() > 0 && of_.translations.rows() != n)
-    throw LawBroken(fmt::format("translations of {} rows where {} coordinates are", of_.translations.rows(), n));
+  for (const Matrix* free : {&of_.translations, &of_.rigid}) {
+    if (free->cols() > 0 && free->rows() != n)
+      throw LawBroken(fmt::format("free motions of {} rows where {} coordinates are", free->rows(), n));
+  }
   if (of_.labels.empty()) of_.labels = default_labels(n);
   if (static_cast<Index>(of_.labels.size()) != n) throw LawBroken(fmt::format("{} labels where {} coordinates are", of_.labels.size(), n));
   if (of_.node.empty()) {

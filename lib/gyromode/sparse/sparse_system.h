@@ -26,6 +26,9 @@ struct SparseMatrices {
   /// of MT. They keep to themselves, at a double root Ω that is no vibration, and are left out: what is searched and
   /// counted are motions with TᵀMq = 0.
   Matrix translations{};
+  /// Motions along and about the axis of a body that nothing holds there, n × any number: they span part of null(K) by
+  /// construction. Where they are all of it the zero roots are those of a rigid body.
+  Matrix rigid{};
   /// Where these are not the coordinates given: those. Results are in them; labels too.
   std::shared_ptr<const sparse::Basis> basis = nullptr;
 };
@@ -44,11 +47,12 @@ class SparseSystem {
   const SparseMatrix& stiffness() const { return of_.stiffness; }    ///< lower triangle
   const Labels& labels() const { return of_.labels; }                ///< n
   const std::vector<int>& node() const { return of_.node; }          ///< of every coordinate
-  const Matrix& translations() const { return of_.translations; }   ///< n × t: left out of every search and count
+  const Matrix& translations() const { return of_.translations; }    ///< n × t: left out of every search and count
+  const Matrix& rigid() const { return of_.rigid; }                  ///< n × any number: known motions of null(K)
   const std::vector<int>& places() const { return places_; }         ///< of every node, in an order of elimination with little fill
   std::optional<double> gyroscopic_bound() const { return of_.gyroscopic_bound; }  ///< γ with −γM ≤ jG ≤ γM, where it is known
-  double gyroscopic_size() const;                                                  ///< about ‖M^−½GM^−½‖, by the sums of its entries
-  const sparse::Basis* basis() const { return of_.basis.get(); }                   ///< null: the coordinates are those given
+  double gyroscopic_size() const;                                 ///< about ‖M^−½GM^−½‖, by the sums of its entries
+  const sparse::Basis* basis() const { return of_.basis.get(); }  ///< null: the coordinates are those given
   /// M is positive semidefinite to rounding: some motions have no mass, and no frequency of their own.
   bool singular_mass() const { return singular_mass_; }
 

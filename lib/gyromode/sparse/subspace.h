@@ -11,7 +11,8 @@ namespace gyromode::sparse {
 /// has entries of one group alone, so that the projected system has the partition too.
 class Subspace {
  public:
-  /// Holds null(K) from the beginning, with what is zero of VᵀKV and VᵀGV exactly zero; never translations that are left out.
+  /// Holds null(K) from the beginning, with what is zero of VᵀKV and VᵀGV exactly zero; never translations that are
+  /// left out.
   Subspace(const SparseSystem& system, const Groups& groups, const FreeMotions& free);
 
   /// Adds what is new in the columns of x (n × m), group by group. @returns the coefficients of x in V after that, p ×
