@@ -57,7 +57,8 @@ ModesResult modes_of(const CountedSpectrum& s, const ModesOptions& options) {
   if (!options.lowest) require_listable(s, asked);
   if (s.finite()) options.progress.stage("counts at the ends of the window");
   const FilledWindow lowest = options.lowest ? lowest_window(s, *options.lowest, asked, options.progress) : FilledWindow{};
-  const WindowEnds ends = ends_of(s, options.lowest ? lowest.window : asked);
+  const bool stopped = options.lowest && lowest.found.known_below < infinity;  // nothing is counted any more
+  const WindowEnds ends = stopped ? WindowEnds{{asked.a, infinity}, {}, {}} : ends_of(s, options.lowest ? lowest.window : asked);
   const RootRange found = options.lowest ? lowest.found : s.roots(ends.window, options.progress);
   const Window known{ends.window.a, std::min(ends.window.b, found.known_below)};
   if (found.known_below < ends.window.b && !(known.b > known.a)) throw Interrupted();

@@ -1,5 +1,6 @@
 #include "gyromode/modes/sparse_balance.h"
 
+#include "gyromode/base/error.h"
 #include "gyromode/modes/sparse_modes.h"
 #include "gyromode/sparse/subspace.h"
 
@@ -31,6 +32,7 @@ SparseBalance::SparseBalance(const SparseSystem& system, const sparse::Searches&
 }
 
 bool SparseBalance::take(const sparse::MeasuredRoots& found) {
+  if (found.stopped) throw Interrupted();
   constexpr double shown = 10, residual = 1e-11;
   negative_.clear();
   unstable_.clear();

@@ -17,7 +17,7 @@ Index size_of(const SparseModes& modes) { return static_cast<Index>(modes.size()
 }  // namespace
 
 // Until that many have converged, without one between that has not.
-SparseModes SparseLowest::near_zero(Index wanted, const Window& range) const {
+sparse::MeasuredRoots SparseLowest::near_zero(Index wanted, const Window& range) const {
   sparse::Goal goal;
   goal.range = {0, range.b};
   goal.missing = wanted;
@@ -29,10 +29,10 @@ SparseModes SparseLowest::near_zero(Index wanted, const Window& range) const {
     last = good > 0 ? beyond_error * inside[static_cast<std::size_t>(std::min(good, wanted)) - 1].omega : 0;
     return wanted_if(good >= wanted, Window{0, last});
   };
-  SparseModes modes = search_for(searches_.about_zero(wanted), goal, progress_).modes;
-  keep_listable(modes);
-  while (modes.size() > 1 && modes.back().omega > last) modes.pop_back();
-  return modes;
+  sparse::MeasuredRoots found = search_for(searches_.about_zero(wanted), goal, progress_);
+  keep_listable(found.modes);
+  while (!found.stopped && found.modes.size() > 1 && found.modes.back().omega > last) found.modes.pop_back();
+  return found;
 }
 
 // At the widest gap where as many modes at rest are expected below as there are modes: μ = σ² + γσ between modes at
@@ -86,25 +86,33 @@ SparseLowest::Found SparseLowest::by_windows(Index count, double start, double l
     (in_half > count ? end : below) = middle;
     if (in_half > count) there = in_half;
   }
-  return {SparseWindows(searches_, counts_, progress_).between(0, end, there), end};
+  SparseWindows windows(searches_, counts_, progress_);
+  SparseModes modes = windows.between(0, end, there);
+  return {std::move(modes), end, windows.known_below()};
 }
 
 // About K; what is below the gap after them is counted. Where there are more than that, and of many, by windows whose
 // ends are counted.
 SparseLowest::Found SparseLowest::lowest(Index count, const Window& range) const {
-  SparseModes low = near_zero(std::min(count, most_at_one_shift) + more, range);
+  sparse::MeasuredRoots found = near_zero(std::min(count, most_at_one_shift) + more, range);
+  SparseModes& low = found.modes;
+  if (found.stopped) {
+    if (low.empty()) throw Interrupted();
+    const double end = low.back().omega + 2 * error_of(low.back());
+    return {std::move(low), 0, end};
+  }
   if (!balance_.index().closed) {  // counts say nothing of how many there are
     const double end = gap_after(low, std::min(count, size_of(low) - 1));
     if (end == 0) throw NotConverged("no mode near 0 has converged: ask for a window, which is searched from its ends");
-    return {std::move(low), end};
+    return {std::move(low), end, infinity};
   }
   const std::vector<sparse::Search::Expected> expected =
       low.empty() ? searches_.about_zero(count).look() : std::vector<sparse::Search::Expected>();
   if (low.empty() && expected.empty()) throw NotConverged("no mode near 0 was found: ask for a window, which is searched from its ends");
   const double start = low.empty() ? expected.front().omega : low.back().omega;
   if (count <= most_at_one_shift) {
-    if (close_at_rest(low, count)) return {std::move(low), counts_.known_below()};
-    if (counted_in_gap(low, count)) return {std::move(low), 0};
+    if (close_at_rest(low, count)) return {std::move(low), counts_.known_below(), infinity};
+    if (counted_in_gap(low, count)) return {std::move(low), 0, infinity};
   }
   return by_windows(count, start, range.b);
 }

@@ -20,7 +20,10 @@ SparseSpectrum::SparseSpectrum(const SparseSystem& system, const Progress& progr
 
 RootRange SparseSpectrum::roots(const Window& range, const Progress& progress) const {
   if (range.open()) throw InvalidArgument(why_an_end() + "a window with two ends or the number of lowest ones is needed");
-  return range_of(SparseWindows(searches_, counts_, progress).between(range.a, range.b, counts_.between(range.a, range.b)), range.a == 0);
+  SparseWindows windows(searches_, counts_, progress);
+  RootRange all = range_of(windows.between(range.a, range.b, counts_.between(range.a, range.b)), range.a == 0);
+  all.known_below = windows.known_below();
+  return all;
 }
 
 std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window& range, const Progress& progress) const {
@@ -28,6 +31,7 @@ std::optional<RootRange> SparseSpectrum::lowest_roots(Index count, const Window&
   SparseLowest::Found found = SparseLowest(system_, searches_, balance_, counts_, progress).lowest(count, range);
   RootRange all = range_of(std::move(found.modes), true);
   all.all_below = found.all_below;
+  all.known_below = found.known_below;
   return all;
 }
 

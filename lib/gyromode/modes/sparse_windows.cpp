@@ -37,19 +37,26 @@ std::optional<SparseModes> joined(const SparseModes& low, const SparseModes& hig
 
 }  // namespace
 
-SparseModes SparseWindows::about(double sigma, double a, double b, Index expected) const {
+SparseModes SparseWindows::about(double sigma, double a, double b, Index expected) {
   sparse::Goal goal;
   goal.range = {a, b};
   goal.enough = [&](const auto& inside) { return wanted_if(converged_in(inside) >= expected, goal.range); };
   goal.missing = expected;
   goal.most_applied = most_applied(expected);
-  SparseModes all = search_for(*searches_.about(sigma, expected), goal, progress_).modes;
-  keep_listable(all);
-  return all;
+  sparse::MeasuredRoots found = search_for(*searches_.about(sigma, expected), goal, progress_);
+  keep_listable(found.modes);
+  if (found.stopped) return stopped_at(sigma == 0 ? std::move(found.modes) : SparseModes(), a);
+  return std::move(found.modes);
+}
+
+// A mode beside the last one could still be missing: it ends there.
+SparseModes SparseWindows::stopped_at(SparseModes modes, double a) {
+  known_below_ = modes.empty() ? a : modes.back().omega + 2 * error_of(modes.back());
+  return modes;
 }
 
 // Each end, a factorisation there for the counts, finds the half next to it.
-SparseModes SparseWindows::from_both_ends(double a, double b, Index expected) const {
+SparseModes SparseWindows::from_both_ends(double a, double b, Index expected) {
   constexpr Index beyond = 1;
   Index wanted = (expected + 1) / 2 + beyond;
   sparse::Goal goal;
@@ -60,46 +67,55 @@ SparseModes SparseWindows::from_both_ends(double a, double b, Index expected) co
     return wanted_if(converged_from(inside.begin(), inside.end()) >= wanted || converged_in(inside) >= expected, goal.range);
   };
   const auto lower = searches_.about(a, expected);
-  SparseModes low = search_for(*lower, goal, progress_).modes;
+  sparse::MeasuredRoots found = search_for(*lower, goal, progress_);
+  SparseModes low = std::move(found.modes);
   keep_listable(low);
+  if (found.stopped) return stopped_at(std::move(low), a);
   if (static_cast<Index>(low.size()) == expected) return low;
   wanted = std::max<Index>(expected - static_cast<Index>(low.size()), 0) + beyond;
   goal.missing = wanted;
   goal.enough = [&](const auto& inside) {
     return wanted_if(converged_from(inside.rbegin(), inside.rend()) >= wanted || converged_in(inside) >= expected, goal.range);
   };
-  SparseModes high = search_for(*searches_.about(b, expected), goal, progress_).modes;
+  found = search_for(*searches_.about(b, expected), goal, progress_);
+  SparseModes high = std::move(found.modes);
   keep_listable(high);
+  if (found.stopped) return stopped_at(std::move(low), a);
   if (std::optional<SparseModes> all = joined(low, high, a, b, expected)) return std::move(*all);
   // No gap to join them at, as where many are equal: all from one end.
   goal.missing = expected;
   goal.enough = [&](const auto& inside) { return wanted_if(converged_in(inside) >= expected, goal.range); };
-  low = search_for(*lower, goal, progress_).modes;
+  found = search_for(*lower, goal, progress_);
+  low = std::move(found.modes);
   keep_listable(low);
+  if (found.stopped) return stopped_at(std::move(low), a);
   return low.size() > high.size() ? low : high;
 }
 
-SparseModes SparseWindows::halves(double a, double b, double middle, int depth) const {
+SparseModes SparseWindows::halves(double a, double b, double middle, int depth) {
   SparseModes all = between(a, middle, counts_.between(a, middle), depth);
+  if (stopped()) return all;
   for (RitzMode& m : between(middle, b, counts_.between(middle, b), depth)) all.push_back(std::move(m));
   return all;
 }
 
 // Wide windows in parts; narrow ones from both ends, or from a shift of their own where that did not do. In halves
 // where something is missing, as counts say in which.
-SparseModes SparseWindows::between(double a, double b, Index expected, int depth) const {
+SparseModes SparseWindows::between(double a, double b, Index expected, int depth) {
   if (expected <= 0) return {};
   constexpr double narrowest = 1e-6;
   constexpr double near_a_mode = 1e-9;  // of the margin: a shift as near as that hides the others behind one root
   if (expected > most_at_one_shift && b - a > narrowest * b) return halves(a, b, counts_.middle_of(a, b), depth);
   const bool ends_serve = a > 0 && counts_.margin(a) > near_a_mode && counts_.margin(b) > near_a_mode;
   SparseModes all = a == 0 ? about(0, a, b, expected) : ends_serve ? from_both_ends(a, b, expected) : SparseModes();
-  if (static_cast<Index>(all.size()) == expected) return all;
+  if (stopped() || static_cast<Index>(all.size()) == expected) return all;
   const double middle = counts_.middle_of(a, b);
   SparseModes other = about(middle, a, b, expected);
+  if (stopped()) return other;
   if (other.size() > all.size()) all.swap(other);
   if (static_cast<Index>(all.size()) == expected || depth == 0) return all;
   other = halves(a, b, middle, depth - 1);
+  if (stopped()) return other;
   return other.size() > all.size() ? other : all;
 }
 

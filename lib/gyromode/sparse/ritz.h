@@ -44,6 +44,7 @@ Norms norms_of(const SparseSystem& system);
 struct MeasuredRoots {
   std::vector<RitzMode> modes;         ///< of a range, ascending
   std::vector<RitzUnstable> unstable;  ///< all that the subspace holds, where the range begins at 0
+  bool stopped = false;                ///< the user stopped the search: what has converged from the beginning of the range on
 };
 MeasuredRoots measured_in(const SparseSystem& system, const Norms& norms, const Subspace& v, const Window& range);
 

@@ -1,7 +1,5 @@
 #include "gyromode/sparse/search.h"
 
-#include "gyromode/base/error.h"
-
 #include <algorithm>
 
 namespace gyromode::sparse {
@@ -22,6 +20,21 @@ Index number_converged(const Search::Found& f) {
   return std::count_if(f.modes.begin(), f.modes.end(), [](const RitzMode& m) { return converged(m); });
 }
 
+// What has converged from the beginning of the range on, without one between that has not.
+Search::Found found_so_far(const Search& search, const Window& range) {
+  constexpr double beyond_error = 1 + 1e-6;
+  double last = 0;
+  for (const Search::Expected& e : search.look()) {
+    if (!range.contains(e.omega)) continue;
+    if (!e.converged) break;
+    last = beyond_error * e.omega;
+  }
+  Search::Found f;
+  if (last > range.a) f = search.found({range.a, std::min(last, range.b)});
+  f.stopped = true;
+  return f;
+}
+
 }  // namespace
 
 Search::Found search_for(Search& search, const Goal& goal, const Progress& progress) {
@@ -30,7 +43,7 @@ Search::Found search_for(Search& search, const Goal& goal, const Progress& progr
   const Index before = search.applied();
   for (int step = 1;; ++step) {
     const bool more = search.step();
-    if (progress.stopped()) throw Interrupted();
+    if (progress.stopped()) return found_so_far(search, goal.range);
     const bool last = search.applied() - before >= goal.most_applied;
     if (more && !last && step % steps_between_looks != 0) continue;
     std::vector<Search::Expected> inside;

@@ -47,7 +47,7 @@ struct Goal {
 
 /// Grows the space until there is enough and it is accepted, or nothing new comes, or work has come to its end. Where
 /// all in range has converged and more must be there, it goes on from new shapes: roots of one frequency may be more
-/// than a block has columns. @throws Interrupted
+/// than a block has columns. Where the user stops it, what has converged from the beginning of the range on.
 Search::Found search_for(Search& search, const Goal& goal, const Progress& progress);
 
 }  // namespace gyromode::sparse
