@@ -12,7 +12,7 @@ class SparseLowest {
       : system_(system), searches_(searches), balance_(balance), counts_(counts), progress_(progress) {}
 
   struct Found {
-    SparseModes modes;     ///< ascending
+    SparseModes modes;              ///< ascending
     double all_below = 0;           ///< all below that are there, as far as counts can tell; 0: where `modes` ends
     double known_below = infinity;  ///< the user stopped the work: modes from here on were not looked for
   };

@@ -63,8 +63,12 @@ SparseModes SparseWindows::from_both_ends(double a, double b, Index expected) {
   goal.range = {a, b};
   goal.missing = wanted;
   goal.most_applied = most_applied(expected);
+  // With half of them the rest is often near: it is given a little time.
+  constexpr int more_looks = 2;
+  int looks = 0;
   goal.enough = [&](const auto& inside) {
-    return wanted_if(converged_from(inside.begin(), inside.end()) >= wanted || converged_in(inside) >= expected, goal.range);
+    const bool half = converged_from(inside.begin(), inside.end()) >= wanted && looks++ >= more_looks;
+    return wanted_if(half || converged_in(inside) >= expected, goal.range);
   };
   const auto lower = searches_.about(a, expected);
   sparse::MeasuredRoots found = search_for(*lower, goal, progress_);

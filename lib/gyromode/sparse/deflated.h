@@ -21,6 +21,7 @@ class Deflated : public Inverse {
   States apply(const States& u) const override { return without_free(of_->apply(u)); }
   Matrix inner(const Matrix& x) const override { return of_->inner(x); }
   void settle(States& u) const override { of_->settle(u); }
+  bool rough_products() const override { return of_->rough_products(); }
   double square(double theta) const override { return of_->square(theta); }
   Index leading_group() const override { return of_->leading_group(); }
   bool motions() const override { return of_->motions(); }

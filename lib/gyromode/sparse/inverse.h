@@ -23,6 +23,9 @@ class Inverse {
   virtual Matrix inner(const Matrix& x) const = 0;       ///< Ex, by products
   /// Puts the part of Ex that M makes right, as apply() takes it from there; that of K stays as it was carried along.
   virtual void settle(States& u) const = 0;
+  /// Whether E by products has more rounding, ε‖K‖‖x‖² of the ω²‖x‖² that the lowest roots looked for have, than what
+  /// apply() gives and is carried along.
+  virtual bool rough_products() const { return true; }
   virtual double square(double theta) const = 0;     ///< ω² (−λ²) of an eigenvalue
   virtual Index leading_group() const { return 0; }  ///< of a partition: a state has its displacements and the others' velocities
   /// Whether a state, or two where they come in pairs, is one motion; else shapes that span those of all are known.

@@ -1,5 +1,6 @@
 #include "gyromode/sparse/inverses.h"
 
+#include "gyromode/base/rounding.h"
 #include "gyromode/sparse/matrix.h"
 
 namespace gyromode::sparse {
@@ -48,6 +49,13 @@ Matrix energy_of(const SparseSystem& s, const Matrix& u) {
 void settle_velocities(const SparseSystem& s, States& u) {
   const Index n = s.size();
   u.ex.bottomRows(n) = symmetric_times(s.mass(), u.x.bottomRows(n));
+}
+
+// Below that part of the energy rounding of products is less than what drifts along.
+bool rough_at(const SparseSystem& s, double sigma) {
+  constexpr double harmless = 1e-12;
+  const double largest = s.stiffness().diagonal().cwiseQuotient(s.mass().diagonal()).cwiseAbs().maxCoeff();
+  return epsilon * largest > harmless * sigma * sigma;
 }
 
 }  // namespace
@@ -143,6 +151,8 @@ States InverseAtShift::apply(const States& u) const {
 
 Matrix InverseAtShift::inner(const Matrix& x) const { return inner_of(system_, groups_, first_, x); }
 
+bool InverseAtShift::rough_products() const { return rough_at(system_, impedance_->shift); }
+
 void InverseAtShift::settle(States& u) const {
   const std::vector<Index>& one = groups_.rows[static_cast<std::size_t>(first_)];
   u.ex = joined(one, u.ex, symmetric_times(system_.mass(), u.x));
@@ -190,6 +200,8 @@ States InverseOfMotionAtShift::apply(const States& u) const {
 }
 
 Matrix InverseOfMotionAtShift::inner(const Matrix& x) const { return energy_of(system_, x); }
+
+bool InverseOfMotionAtShift::rough_products() const { return rough_at(system_, impedance_->shift); }
 
 void InverseOfMotionAtShift::settle(States& u) const { settle_velocities(system_, u); }
 

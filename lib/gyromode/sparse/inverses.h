@@ -48,6 +48,7 @@ class InverseAtShift : public Inverse {
   States apply(const States& u) const override;
   Matrix inner(const Matrix& x) const override;
   void settle(States& u) const override;
+  bool rough_products() const override;
   double square(double theta) const override { return impedance_->shift * impedance_->shift - 1 / theta; }
   Matrix shapes(const Matrix& states) const override { return states; }
   Index leading_group() const override { return first_; }
@@ -92,6 +93,7 @@ class InverseOfMotionAtShift : public Inverse {
   States apply(const States& u) const override;
   Matrix inner(const Matrix& x) const override;
   void settle(States& u) const override;
+  bool rough_products() const override;
   double square(double theta) const override { return impedance_->shift * impedance_->shift - 1 / theta; }
   bool motions() const override { return false; }
   Matrix shapes(const Matrix& states) const override;

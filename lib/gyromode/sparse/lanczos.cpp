@@ -19,7 +19,13 @@ Matrix random_shapes(Index n, Index width, unsigned draw) {
 }
 
 Lanczos::Lanczos(const Inverse& inverse, Index n, Index width, Index most)
-    : inverse_(inverse), n_(n), width_(width), most_(std::max(most, 4 * width)), u_(inverse.length(), 0), eu_(inverse.length(), 0) {
+    : inverse_(inverse),
+      rough_(inverse.rough_products()),
+      n_(n),
+      width_(width),
+      most_(std::max(most, 4 * width)),
+      u_(inverse.length(), 0),
+      eu_(inverse.length(), 0) {
   refresh(width);
 }
 
@@ -65,7 +71,8 @@ void Lanczos::append(const States& block) {
     h_.conservativeResize(room, room);
   }
   u_.middleCols(size_, m) = block.x;
-  if (++blocks_ > most_carried) {
+  ++blocks_;
+  if (!carried()) {
     eu_.resize(0, 0);
   } else {
     if (size_ + m > eu_.cols()) eu_.conservativeResize(inverse_.length(), std::max(size_ + m, std::min(most_, most_carried * width_)));
@@ -130,9 +137,21 @@ Lanczos::Ritz Lanczos::ritz() const {
   return r;
 }
 
-Matrix Lanczos::refined(const Matrix& coefficients) const {
-  const Matrix x = lapack::multiply(u_.leftCols(size_), coefficients);
-  return inverse_.apply({x, inverse_.inner(x)}).x;
+Matrix Lanczos::combined(const Matrix& coefficients) const { return lapack::multiply(u_.leftCols(size_), coefficients); }
+
+Matrix Lanczos::refined(const Matrix& states, const Ritz& ritz, const std::vector<Index>& which) const {
+  const auto u = u_.leftCols(size_);
+  States w = inverse_.apply({states, inverse_.inner(states)});
+  const Matrix c = lapack::multiply_tn(u, w.ex);
+  Matrix others = Matrix::Zero(size_, c.cols());
+  for (const Matrix* y : {&ritz.re, &ritz.im}) {
+    if (y->size() == 0) continue;
+    Matrix part = y->transpose() * c;
+    for (std::size_t k = 0; k < which.size(); ++k) part(which[k], static_cast<Index>(k)) = 0;
+    others += *y * part;
+  }
+  lapack::multiply_into(w.x, -1, u, false, others, false, 1);
+  return std::move(w.x);
 }
 
 // The outermost half is kept; what is next stays next, and its products with what is kept come with the next step.

@@ -27,8 +27,12 @@ class Lanczos {
     Matrix re, im;    ///< coefficients in U, p × m; im is empty where they are real
   };
   Ritz ritz() const;
-  /// Op applied to combinations of U once more: what is not of the outermost roots gets smaller.
-  Matrix refined(const Matrix& coefficients) const;
+  /// Combinations of U.
+  Matrix combined(const Matrix& coefficients) const;
+  /// Op applied once more to states, one of each Ritz vector `which` (of a pair one of the two): what is farther from
+  /// the shift than these gets smaller. What is nearer would get larger: the parts of all other Ritz vectors, which Op
+  /// u = θu + … has by rounding alone, are taken away.
+  Matrix refined(const Matrix& states, const Ritz& ritz, const std::vector<Index>& which) const;
 
   Index size() const { return size_; }
   Index applied() const { return applied_; }  ///< columns that the operator was applied to
@@ -37,11 +41,12 @@ class Lanczos {
   static constexpr Index most_carried = 14;  // blocks
 
   void append(const States& block);
-  bool carried() const { return blocks_ <= most_carried; }
+  bool carried() const { return rough_ && blocks_ <= most_carried; }
   void restart();
   States orthonormalised(States w, Matrix& onto, Matrix& rest) const;
 
   const Inverse& inverse_;
+  bool rough_;
   Index n_, width_, most_;
   Index size_ = 0, last_ = 0, applied_ = 0;
   unsigned draws_ = 0;

@@ -23,6 +23,8 @@ class LanczosSearch : public Search {
   Index applied() const override { return lanczos_.applied(); }
 
  private:
+  /// Of the residual of an eigenvalue θ, relative, so that the motion has the residual asked for.
+  double tolerance(double theta) const;
   Found measured_motions(const Lanczos::Ritz& r, const std::vector<Index>& chosen, std::vector<double> omega) const;
 
   const SparseSystem& system_;
@@ -31,6 +33,7 @@ class LanczosSearch : public Search {
   const FreeMotions& free_;
   std::unique_ptr<Inverse> inverse_;
   Lanczos lanczos_;
+  double stiffest_;  // about the largest ω² at rest
 };
 
 }  // namespace gyromode::sparse
