@@ -15,4 +15,10 @@ std::string Digest::sha256() const {
   return hex.data();
 }
 
+void Digest::add_large(const std::filesystem::path& file) {
+  std::array<char, SHA256_DIGEST_STRING_LENGTH> hex{};
+  if (SHA256File(file.c_str(), hex.data())) bytes_ += hex.data();
+  files_.push_back(file);
+}
+
 }  // namespace gyromode::io

@@ -16,6 +16,8 @@ class Digest {
     bytes_ += bytes;
     files_.push_back(file);
   }
+  /// Of a file that is not held in memory: by its own SHA-256. What cannot be read is left to who reads it.
+  void add_large(const std::filesystem::path& file);
   const std::vector<std::filesystem::path>& files() const { return files_; }
   std::string sha256() const;
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -94,11 +95,13 @@ bool entry_of(std::string_view line, Entry& e) {
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
 // After the banner, where there is one: the order that its size line gives; 0 of a file without.
-Index order_of_header(LinesOfFile& lines, std::string_view& line) {
+Index order_of_header(LinesOfFile& lines, std::string_view& line, int sign) {
   if (!line.starts_with('%')) return 0;
-  if (line.find("coordinate") == std::string_view::npos || line.find("symmetric") == std::string_view::npos ||
-      line.find("skew") != std::string_view::npos)
-    lines.fail("the banner of a symmetric matrix of coordinates was expected: %%MatrixMarket matrix coordinate real symmetric");
+  const auto says = [&](std::string_view word) { return line.find(word) != std::string_view::npos; };
+  const bool skew = says("skew"), fits = says("general") || (sign > 0 ? says("symmetric") && !skew : skew);
+  if (!says("coordinate") || says("complex") || !fits)
+    lines.fail(fmt::format("the banner of a {} matrix of coordinates was expected: %%MatrixMarket matrix coordinate real {}",
+                           sign > 0 ? "symmetric" : "skew", sign > 0 ? "symmetric" : "skew-symmetric"));
   while (line.starts_with('%') || is_blank(line)) {
     if (!lines.next(line)) lines.fail("the file ends where its size was expected: rows columns entries");
   }
@@ -108,18 +111,42 @@ Index order_of_header(LinesOfFile& lines, std::string_view& line) {
   return static_cast<Index>(size.row);
 }
 
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+SparseMatrix distinct(const Triplets& entries, Index order, const std::filesystem::path& file) {
+  SparseMatrix a(order, order);
+  a.setFromTriplets(entries.begin(), entries.end());
+  if (a.nonZeros() != static_cast<Index>(entries.size())) throw Unreadable(file, "gives an entry twice: each entry once was expected");
+  return a;
+}
+
+// Half of what both triangles give, where they agree.
+SparseMatrix mean_of(const SparseMatrix& lower, const SparseMatrix& mirrored, const std::filesystem::path& file, int sign) {
+  constexpr double rounding = 1e-9;
+  const SparseMatrix off = lower - mirrored;
+  for (Index j = 0; j < off.outerSize(); ++j) {
+    for (SparseMatrix::InnerIterator it(off, j); it; ++it) {
+      const double one = lower.coeff(it.row(), j), other = mirrored.coeff(it.row(), j);
+      if (std::abs(it.value()) <= rounding * std::max(std::abs(one), std::abs(other))) continue;
+      throw LawBroken(fmt::format("{0}: entry ({1}, {2}) is {3} and entry ({2}, {1}) is {4}: a {5} matrix was expected", file.string(),
+                                  it.row() + 1, j + 1, one, sign * other, sign > 0 ? "symmetric" : "skew"));
+    }
+  }
+  return 0.5 * (lower + mirrored);
+}
+
 }  // namespace
 
-SparseMatrix read_symmetric_triplets(const std::filesystem::path& file, Index order) {
+SparseMatrix read_triplets(const std::filesystem::path& file, Index order, int sign) {
   constexpr std::int64_t most = std::numeric_limits<int>::max() - 1;
   LinesOfFile lines(file);
   std::string_view line;
   if (!lines.next(line)) throw Unreadable(file, "is empty: lines 'row column value' were expected");
-  const Index given = order_of_header(lines, line);
+  const Index given = order_of_header(lines, line, sign);
   if (given > 0 && order > 0 && given != order)
-    lines.fail(fmt::format("a matrix of order {}: {} was expected, one a line of the dof table", given, order));
+    lines.fail(fmt::format("a matrix of order {}: {} was expected, as the model has coordinates", given, order));
   bool more = given == 0 || lines.next(line);
-  std::vector<Eigen::Triplet<double>> entries;
+  Triplets lower, mirrored;  // of the upper triangle
   std::int64_t largest = given > 0 ? given : order;
   for (; more; more = lines.next(line)) {
     if (is_blank(line)) continue;
@@ -129,17 +156,49 @@ SparseMatrix read_symmetric_triplets(const std::filesystem::path& file, Index or
     if (e.row < 1 || e.column < 1 || e.row > most || e.column > most ||
         (largest > 0 && (given > 0 || order > 0) && (e.row > largest || e.column > largest)))
       lines.fail(fmt::format("entry ({}, {}) is outside a matrix of order {}{}", e.row, e.column, largest,
-                             order > 0 ? ", which the dof table gives: is the file of another model?" : ""));
+                             order > 0 ? ", which the others give: is the file of another model?" : ""));
     if (!std::isfinite(e.value)) lines.fail(fmt::format("entry ({}, {}) is not finite", e.row, e.column));
     if (given == 0 && order == 0) largest = std::max({largest, e.row, e.column});
-    entries.emplace_back(static_cast<int>(std::max(e.row, e.column)) - 1, static_cast<int>(std::min(e.row, e.column)) - 1, e.value);
+    if (sign < 0 && e.row == e.column) {
+      if (e.value != 0)
+        lines.fail(fmt::format("entry ({0}, {0}) = {1} is on the diagonal of a skew matrix: zero was expected", e.row, e.value));
+      continue;
+    }
+    const int row = static_cast<int>(e.row) - 1, column = static_cast<int>(e.column) - 1;
+    if (row >= column)
+      lower.emplace_back(row, column, e.value);
+    else
+      mirrored.emplace_back(column, row, sign * e.value);
   }
-  if (entries.empty()) throw Unreadable(file, "has no entries: lines 'row column value' were expected");
-  SparseMatrix a(largest, largest);
-  a.setFromTriplets(entries.begin(), entries.end());
-  if (a.nonZeros() != static_cast<Index>(entries.size()))
-    throw Unreadable(file, "gives an entry twice, or both triangles: one triangle of the matrix was expected");
-  return a;
+  if (lower.empty() && mirrored.empty() && (sign > 0 || given == 0))
+    throw Unreadable(file, "has no entries: lines 'row column value' were expected");
+  const bool off_diagonal = std::any_of(lower.begin(), lower.end(), [](const auto& e) { return e.row() != e.col(); });
+  if (off_diagonal && !mirrored.empty()) {
+    SparseMatrix both = distinct(lower, largest, file), other = distinct(mirrored, largest, file);
+    const Vector diagonal = both.diagonal();
+    for (Index k = 0; k < largest; ++k) {
+      if (diagonal(k) != 0) other.coeffRef(k, k) = diagonal(k);
+    }
+    return mean_of(both, other, file, sign);
+  }
+  lower.insert(lower.end(), mirrored.begin(), mirrored.end());
+  return distinct(lower, largest, file);
+}
+
+std::optional<Index> order_of_large(const std::filesystem::path& file) {
+  constexpr double most_dense = 5000, filled = 0.05;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+  LinesOfFile lines(file);
+  std::string_view line;
+  if (!lines.next(line) || !line.starts_with("%%MatrixMarket matrix coordinate")) return std::nullopt;
+  while (line.starts_with('%') || is_blank(line)) {
+    if (!lines.next(line)) return std::nullopt;
+  }
+  Entry size;  // rows, columns, entries
+  if (!entry_of(line, size) || size.row != size.column) return std::nullopt;
+  const auto n = static_cast<double>(size.row);
+  return n > most_dense && size.value < filled * n * n ? std::optional<Index>(size.row) : std::nullopt;
 }
 
 }  // namespace gyromode::io

@@ -21,8 +21,6 @@ namespace {
 
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
-double largest_entry_of(const SparseMatrix& a) { return a.nonZeros() > 0 ? a.coeffs().cwiseAbs().maxCoeff() : 0; }
-
 // What an inspection tells of the mesh.
 std::vector<ModelCheck> checks_of(const StructureParts& parts) {
   const MeshFacts f = facts_of(parts);
@@ -62,39 +60,22 @@ std::shared_ptr<const ModelKind> dense_model_of(const StructureParts& p) {
 
 }  // namespace
 
-StructureModel::StructureModel(StructureParts parts) : parts_(std::move(parts)), system_(in_symmetric_coordinates(parts_)) {}
-
-ModesResult StructureModel::modes(const ModesOptions& options) const { return find_modes(system_, options); }
-
-CountResult StructureModel::count(const Window& window) const { return count_modes(system_, window); }
+StructureModel::StructureModel(StructureParts parts) : SparseMatricesModel(in_symmetric_coordinates(parts)), parts_(std::move(parts)) {}
 
 StructureReport StructureModel::structure(std::optional<double> at) const {
-  if (at) throw NotApplicable("--at writes H(ω) in full, which a large sparse model has no use for");
-  StructureReport r;
-  const Structure s = sparse::analyse(system_);
-  r.structure = system_.basis() ? system_.basis()->given : s;
-  const sparse::StiffnessFactors stiffness(system_, sparse::groups_of(s, system_.size()));
-  r.stiffness = {stiffness.negative(), stiffness.nullity()};
-  r.checks = checks_of(parts_);
-  if (const sparse::Basis* b = system_.basis()) {
-    r.checks.push_back({"symmetry", b->in_words});
-    r.checks.push_back({"symmetry_departure", b->departure});
+  StructureReport r = SparseMatricesModel::structure(at);
+  std::vector<ModelCheck> checks = checks_of(parts_);
+  if (const sparse::Basis* b = system().basis()) {
+    checks.push_back({"symmetry", b->in_words});
+    checks.push_back({"symmetry_departure", b->departure});
   }
-  const auto named = [&](const auto& number) {
-    return NamedNumbers{
-        {"mass", number(system_.mass())}, {"gyroscopic", number(system_.gyroscopic())}, {"stiffness", number(system_.stiffness())}};
-  };
-  r.checks.push_back({"scales", named(largest_entry_of)});
-  r.checks.push_back({"entries", named([](const SparseMatrix& a) { return static_cast<double>(a.nonZeros()); })});
+  r.checks.insert(r.checks.begin(), std::make_move_iterator(checks.begin()), std::make_move_iterator(checks.end()));
   return r;
 }
 
-std::vector<std::string> StructureModel::doubts(bool) const {
-  std::vector<std::string> all;
-  if (system_.singular_mass())
-    all.push_back(
-        "M is singular to rounding, as elements of reduced integration leave it: motions without mass have no frequency of their own");
-  if (system_.translations().cols() > 0)
+std::vector<std::string> StructureModel::doubts(bool fixed_axes) const {
+  std::vector<std::string> all = SparseMatricesModel::doubts(fixed_axes);
+  if (system().translations().cols() > 0)
     all.push_back(
         fmt::format("nothing holds the body across its axis: its translation, a double root at the spin {:.6g} rad/s, is no vibration and "
                     "is left out",

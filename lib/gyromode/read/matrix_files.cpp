@@ -2,9 +2,11 @@
 #include "gyromode/base/nearest.h"
 #include "gyromode/formats/digest.h"
 #include "gyromode/formats/matrix_file.h"
+#include "gyromode/formats/triplet_file.h"
 #include "gyromode/formats/text_file.h"
 #include "gyromode/models/family_parameters.h"
 #include "gyromode/models/model_kind.h"
+#include "gyromode/models/sparse_matrices_model.h"
 #include "gyromode/read/labels_file.h"
 #include "gyromode/read/read_model.h"
 #include "gyromode/system/laws.h"
@@ -188,7 +190,32 @@ Three from_container(const std::vector<NamedMatrix>& all, const MatrixFiles& fil
 
 }  // namespace
 
+namespace {
+
+Model read_large(const MatrixFiles& files, Index order) {
+  Digest digest;
+  const auto read = [&](const std::filesystem::path& file, int sign) {
+    if (file.empty()) return SparseMatrix(order, order);
+    digest.add_large(file);
+    return read_triplets(file, order, sign);
+  };
+  SparseMatrices m;
+  m.mass = read(files.mass, 1);
+  m.gyroscopic = read(files.gyroscopic, -1);
+  m.stiffness = read(files.stiffness, 1);
+  if (!files.labels.empty()) m.labels = io::read_labels(files.labels);
+  Model model(model_of_sparse(std::move(m)), "matrices");
+  model.title = files.mass.stem().string();
+  model.sha256 = digest.sha256();
+  model.files = digest.files();
+  if (!files.labels.empty()) model.files.push_back(files.labels);
+  return model;
+}
+
+}  // namespace
+
 Model read_matrices(const MatrixFiles& files, const Admission& admission) {
+  if (const auto order = files.container.empty() ? io::order_of_large(files.mass) : std::nullopt) return read_large(files, *order);
   Digest digest;
   Three all;
   if (files.container.empty()) {

@@ -3,6 +3,7 @@
 #include "gyromode/base/labels.h"
 #include "gyromode/base/nearest.h"
 #include "gyromode/formats/matrix_file.h"
+#include "gyromode/formats/triplet_file.h"
 #include "gyromode/read/parametrised_model.h"
 #include "gyromode/read/read_model.h"
 #include "gyromode/read/rotor_toml.h"
@@ -13,6 +14,7 @@
 #include "gyromode/models/family_parameters.h"
 #include "gyromode/models/matrices.h"
 #include "gyromode/models/rotor_model.h"
+#include "gyromode/models/sparse_matrices_model.h"
 #include "gyromode/models/spacecraft_model.h"
 #include "gyromode/models/structure_model.h"
 #include "gyromode/system/laws.h"
@@ -123,9 +125,32 @@ std::vector<OrbitCoordinates> orbits_of(const TomlTable& table, const Labels& gi
   return all;
 }
 
+// Matrices in Matrix Market files of coordinates that dense methods do not serve; null of others.
+std::shared_ptr<const ModelKind> read_large(const TomlTable& table, Digest& digest) {
+  const auto file = [&](std::string_view key) { return table.is_text(key) ? table.folder() / *table.text(key) : std::filesystem::path(); };
+  const auto order = order_of_large(file("mass"));
+  if (!order) return nullptr;
+  for (const std::string_view key : {"gyroscopic_per_spin", "stiffness_per_spin2", "spin", "orbits", "symmetrise"}) {
+    if (table.has(key)) table.fail(key, fmt::format("'{}' is for dense matrices: models of {} coordinates have M, G and K", key, *order));
+  }
+  const auto read = [&](std::string_view key, int sign) {
+    if (!table.has(key)) return SparseMatrix(*order, *order);
+    if (file(key).empty()) table.fail(key, fmt::format("'{}' must be a file, as 'mass' is one of order {}", key, *order));
+    digest.add_large(file(key));
+    return read_triplets(file(key), *order, sign);
+  };
+  SparseMatrices m;
+  m.mass = read("mass", 1);
+  m.gyroscopic = read("gyroscopic", -1);
+  m.stiffness = read("stiffness", 1);
+  m.labels = table.texts_or_file("labels");
+  return model_of_sparse(std::move(m));
+}
+
 std::shared_ptr<const ModelKind> read_second_order(const TomlTable& table, const Admission& given, std::optional<double>& spin,
                                                    Digest& digest) {
   table.allow_only(matrices_keys);
+  if (auto large = read_large(table, digest)) return large;
   Labels given_labels = table.texts_or_file("labels");
   Agreed agreed;
   Matrix mass = required(matrix(table, "mass", agreed, digest), table, "mass");
@@ -175,6 +200,7 @@ std::shared_ptr<const ModelKind> read_rotor_model(const TomlTable& table, const 
 
 std::shared_ptr<const ModelKind> read_structure_model(const TomlTable& table, const Admission&, std::optional<double>& spin,
                                                       Digest& digest) {
+  if (table.has("gyroscopic")) return model_of_sparse(read_sparse_matrices(table, digest));
   StructureParts p = read_structure(table, digest);
   spin = p.spin;
   return model_of_structure(std::move(p));
@@ -262,7 +288,8 @@ Model parse_model(std::string_view text, const std::filesystem::path& name, cons
   model.files.push_back(name);
   model.spin = spin;
   const std::string frame = one_of(table, "frame", {"turning", "fixed"});
-  model.frame = frame == "turning" ? Frame::turning : frame == "fixed" ? Frame::fixed : kind->frame;
+  const bool own_g = word == "structure" && table.has("gyroscopic");  // in axes that it does not say
+  model.frame = frame == "turning" ? Frame::turning : frame == "fixed" ? Frame::fixed : own_g ? Frame::unknown : kind->frame;
   model.known = read_known(table);
   return model;
 }

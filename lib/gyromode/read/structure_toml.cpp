@@ -14,18 +14,19 @@ namespace gyromode::io {
 
 namespace {
 
-constexpr std::array<std::string_view, 14> keys{"kind",      "title", "reference", "known", "parameters",  "frame",  "mass",
-                                                "stiffness", "dofs",  "spin",      "axis",  "coordinates", "mirror", "half_turn"};
+constexpr std::array<std::string_view, 15> keys{"gyroscopic", "kind", "title", "reference", "known",       "parameters", "frame",    "mass",
+                                                "stiffness",  "dofs", "spin",  "axis",      "coordinates", "mirror",     "half_turn"};
 
 std::filesystem::path file_named(const TomlTable& table, std::string_view key, Digest& digest) {
   const auto name = table.text(key);
   if (!name)
     table.fail(fmt::format("key '{}' is missing: a file was expected, such as \"job.{}\"", key,
-                           key == "mass"   ? "mas"
-                           : key == "dofs" ? "dof"
-                                           : "sti"));
+                           key == "mass"         ? "mas"
+                           : key == "dofs"       ? "dof"
+                           : key == "gyroscopic" ? "gyr"
+                                                 : "sti"));
   const std::filesystem::path file = table.folder() / *name;
-  digest.add(file, fmt::format("{} of {} bytes", *name, std::filesystem::exists(file) ? std::filesystem::file_size(file) : 0));
+  digest.add_large(file);
   return file;
 }
 
@@ -42,8 +43,8 @@ StructureParts read_structure(const TomlTable& table, Digest& digest) {
     p.coordinates.push_back({d.node, d.direction - 1});
   }
   const auto n = static_cast<Index>(p.coordinates.size());
-  p.mass = read_symmetric_triplets(file_named(table, "mass", digest), n);
-  p.stiffness = read_symmetric_triplets(file_named(table, "stiffness", digest), n);
+  p.mass = read_triplets(file_named(table, "mass", digest), n, 1);
+  p.stiffness = read_triplets(file_named(table, "stiffness", digest), n, 1);
   if (table.text("coordinates")) {
     const std::filesystem::path file = file_named(table, "coordinates", digest);
     std::unordered_map<long, std::array<double, 3>> at;
@@ -69,6 +70,27 @@ StructureParts read_structure(const TomlTable& table, Digest& digest) {
     table.fail("axis", fmt::format("'axis' has {} numbers: the three of a direction were expected", axis.size()));
   if (axis.size() == 3) p.axis = {axis[0], axis[1], axis[2]};
   return p;
+}
+
+SparseMatrices read_sparse_matrices(const TomlTable& table, Digest& digest) {
+  table.allow_only(keys);
+  for (const std::string_view key : {"spin", "axis", "coordinates", "mirror", "half_turn"}) {
+    if (table.has(key))
+      table.fail(key,
+                 fmt::format("'{}' is for G that is made of M, and 'gyroscopic' gives G by its own file: one of them was expected", key));
+  }
+  SparseMatrices all;
+  if (table.text("dofs")) {
+    std::unordered_map<long, int> nodes;
+    for (const MeshDof& d : read_dof_table(file_named(table, "dofs", digest))) {
+      all.labels.push_back(fmt::format("{}.{}", d.node, d.direction));
+      all.node.push_back(nodes.try_emplace(d.node, static_cast<int>(nodes.size())).first->second);
+    }
+  }
+  all.mass = read_triplets(file_named(table, "mass", digest), static_cast<Index>(all.labels.size()), 1);
+  all.stiffness = read_triplets(file_named(table, "stiffness", digest), all.mass.cols(), 1);
+  all.gyroscopic = read_triplets(file_named(table, "gyroscopic", digest), all.mass.cols(), -1);
+  return all;
 }
 
 }  // namespace gyromode::io

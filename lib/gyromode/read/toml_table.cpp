@@ -163,6 +163,11 @@ bool TomlTable::has(std::string_view key) const { return content_->table.get(key
 
 std::filesystem::path TomlTable::folder() const { return content_->file.parent_path(); }
 
+bool TomlTable::is_text(std::string_view key) const {
+  const toml::node* node = content_->table.get(key);
+  return node && node->is_string();
+}
+
 bool TomlTable::is_array(std::string_view key) const { return has(key) && content_->table.get(key)->is_array(); }
 
 std::vector<std::string> TomlTable::texts_or_file(std::string_view key) const {

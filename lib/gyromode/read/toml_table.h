@@ -40,6 +40,7 @@ class TomlTable {
   std::filesystem::path folder() const;
   bool has(std::string_view key) const;
   bool is_array(std::string_view key) const;
+  bool is_text(std::string_view key) const;
   std::vector<std::string> words(std::string_view key) const;  ///< a string, or an array of them; empty for a missing key
   /// An array of pairs of strings; empty for a missing key.
   std::vector<std::array<std::string, 2>> pairs_of_words(std::string_view key) const;

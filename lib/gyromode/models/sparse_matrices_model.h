@@ -1,0 +1,34 @@
+#pragma once
+
+#include "gyromode/models/model_kind.h"
+#include "gyromode/sparse/sparse_system.h"
+
+#include <memory>
+
+namespace gyromode {
+
+/// Large sparse M, G, K.
+class SparseMatricesModel : public ModelKind {
+ public:
+  /// @throws LawBroken; TooLarge
+  explicit SparseMatricesModel(SparseMatrices matrices) : system_(std::move(matrices)) {}
+
+  const SparseSystem& system() const { return system_; }
+  Index size() const override { return system_.size(); }
+  const Labels& labels() const override { return system_.labels(); }
+  std::string_view in_words() const override { return "sparse M, G, K"; }
+  bool finite() const override { return false; }
+  ModesResult modes(const ModesOptions& options) const override;
+  CountResult count(const Window& window) const override;
+  StructureReport structure(std::optional<double> at) const override;
+  std::vector<std::string> doubts(bool fixed_axes) const override;
+
+ private:
+  SparseSystem system_;
+};
+
+/// The model of matrices from files: dense up to 1000 coordinates where M is positive definite, else sparse. @throws
+/// LawBroken; TooLarge
+std::shared_ptr<const ModelKind> model_of_sparse(SparseMatrices matrices);
+
+}  // namespace gyromode
