@@ -168,6 +168,28 @@ void tabulate_groups(const Model& model, const Structure& s, Writer& w) {
            true});
 }
 
+// What an inspection of a mesh tells, a line each: the names and numbers that people look for.
+void describe_checks(const std::vector<ModelCheck>& checks, Writer& w) {
+  using Numbers = std::vector<std::pair<std::string, double>>;
+  constexpr std::pair<std::string_view, std::string_view> headings[] = {
+      {"nodes", "nodes"},       {"mass_per_direction", "mass"}, {"centre", "centre"},  {"inertia", "inertia"},
+      {"symmetry", "symmetry"}, {"scales", "scales"},           {"entries", "entries"}};
+  for (const ModelCheck& c : checks) {
+    w.fact("checks." + c.name, std::visit([](const auto& x) { return json_of(x); }, c.value));
+    const auto heading = std::find_if(std::begin(headings), std::end(headings), [&](const auto& h) { return h.first == c.name; });
+    if (heading == std::end(headings)) continue;
+    std::string words;
+    if (const auto* numbers = std::get_if<Numbers>(&c.value)) {
+      for (const auto& [name, value] : *numbers) words += fmt::format("{}{} {:.8g}", words.empty() ? "" : ", ", name, value);
+    } else if (const auto* text = std::get_if<std::string>(&c.value)) {
+      words = *text;
+    } else if (const auto* number = std::get_if<double>(&c.value)) {
+      words = fmt::format("{:.8g}", *number);
+    }
+    if (!words.empty()) w.say(heading->second, words);
+  }
+}
+
 }  // namespace
 
 void describe(const Model& model, const StructureReport& r, Writer& w) {
@@ -185,7 +207,7 @@ void describe(const Model& model, const StructureReport& r, Writer& w) {
   if (r.stiffness_applies) w.say("stiffness", stiffness_words(r.stiffness));
   describe_components(model, s, w);
   if (model.ignored) w.say("left out", in_words(*model.ignored));
-  for (const ModelCheck& c : r.checks) w.fact("checks." + c.name, std::visit([](const auto& x) { return json_of(x); }, c.value));
+  describe_checks(r.checks, w);
   w.fact("checks.coupling_tolerance", model.ignored ? model.ignored->tolerance : 0);
   tabulate_components(model, s, w);
   describe_booms(r, w);
