@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace gyromode::app {
@@ -22,6 +23,7 @@ struct Options {
   OutputOption output;
   std::optional<Index> lowest;
   bool all = false;
+  bool dry_run = false;
   bool shapes = false;
   bool participation = false;
   std::string method = "auto";
@@ -45,6 +47,21 @@ void bound(ModesOptions& options, const Options& o, bool transcendental) {
     throw UsageError(fmt::format("--window: {}; the upper end is needed", why));
 }
 
+// What the work would take: factorisations of a large model, one at a time but for the first two; a dense one by its
+// order.
+ExitCode estimate(const Model& model, const OutputOption& output) {
+  constexpr double bytes_an_entry = 60, megabyte = 1e6;
+  const std::vector<PlannedFactorisation> plan = model.body->plan();
+  const auto n = static_cast<double>(model.size());
+  std::string text;
+  if (plan.empty())
+    text = fmt::format("dense: {} coordinates, some {:.0f} MB\n", model.size(), std::max(1.0, bytes_an_entry * n * n / megabyte));
+  for (const PlannedFactorisation& p : plan)
+    text += fmt::format("{:<18} order {:>8}  {:>8.3g} entries in the factor  {:>7.0f} MB\n", p.what, p.order, p.entries, p.megabytes);
+  output.write(text);
+  return ExitCode::done;
+}
+
 ExitCode run(const Options& given) {
   Options o = given;
   Job job(o.source, o.output);
@@ -57,6 +74,7 @@ ExitCode run(const Options& given) {
   if (o.method == "discrete") job.replace(job.model().body->discretised(o.elements));
   const bool infinite = !job.model().body->finite();
   if (infinite) bound(options, o, job.model().body->transcendental());
+  if (o.dry_run) return estimate(job.model(), o.output);
   o.output.pictures = job.model().body->has_outlines();
   const Format format = o.output.chosen();
   const bool parts = !job.model().body->orbits().empty();  // whirl and parts belong in the table
@@ -113,6 +131,7 @@ void add_modes(CLI::App& program, int& code) {
                    "Matrices: see the modes from these coordinates alone, LABEL,LABEL,… (a label with a comma in double quotes, or #N for "
                    "its position); modes in which they take no part are local")
       ->type_name("LABELS");
+  verb->add_flag("--dry-run", o->dry_run, "Read the model and say what its factorisations would take, in memory; solve nothing");
   verb->add_flag("--shapes", o->shapes, "With the mode shapes: motion is Re(X e^{jωt}), largest entry 1");
   verb->add_flag("--participation", o->participation,
                  "Where the energy of each mode is: shares of kinetic and strain energy by parts of a rotor or spacecraft (in the table "

@@ -140,6 +140,7 @@ of_mesh(2, "a.sti:2: '2 2' is no entry: row, column and a finite number were exp
 of_mesh(0, "complete: found 1", "modes", "--lowest", "1", files={"a.sti": "1 1 9.0\n1 2 1\n2 1 1\n2 2 8.0\n"})
 of_mesh(3, "entry (2, 1) is 2 and entry (1, 2) is 1: a symmetric matrix was expected", "modes", "--lowest", "1", files={"a.sti": "1 1 9.0\n1 2 1\n2 1 2\n2 2 8.0\n"})
 of_mesh(2, "gives an entry twice: each entry once was expected", "modes", "--lowest", "1", files={"a.sti": "1 1 9.0\n1 1 1\n2 2 8.0\n"})
+of_mesh(0, "dense: 2 coordinates, some 1 MB", "modes", "--dry-run")
 OWN_G = STRUCTURE.replace("spin = 1", 'gyroscopic = "a.gyr"')
 of_mesh(0, "complete: found 1", "modes", "--lowest", "1", text=OWN_G, files={"a.gyr": "2 1 0.5\n"})
 of_mesh(2, "'spin' is for G that is made of M, and 'gyroscopic' gives G by its own file", "modes", text=OWN_G + "spin = 1\n", files={"a.gyr": "2 1 0.5\n"})

@@ -18,6 +18,7 @@ class DelegatingModel : public ModelKind {
   bool has_outlines() const override { return made_->has_outlines(); }
   ModesResult modes(const ModesOptions& options) const override { return made_->modes(options); }
   CountResult count(const Window& window) const override { return made_->count(window); }
+  std::vector<PlannedFactorisation> plan() const override { return made_->plan(); }
   ModesResult verdict(bool with_shapes, const Progress& progress) const override { return made_->verdict(with_shapes, progress); }
   StabilityReport stability(const Progress& progress) const override { return made_->stability(progress); }
   StructureReport structure(std::optional<double> at) const override { return made_->structure(at); }

@@ -38,6 +38,8 @@ class ModelKind {
 
   virtual ModesResult modes(const ModesOptions& options) const = 0;
   virtual CountResult count(const Window& window) const = 0;
+  /// The factorisations that modes would take, estimated; none of models that are dense.
+  virtual std::vector<PlannedFactorisation> plan() const { return {}; }
   /// The modes that a verdict on stability needs, and no more.
   virtual ModesResult verdict(bool with_shapes, const Progress& progress = {}) const;
   virtual StabilityReport stability(const Progress& progress) const;

@@ -20,6 +20,7 @@ class SparseMatricesModel : public ModelKind {
   bool finite() const override { return false; }
   ModesResult modes(const ModesOptions& options) const override;
   CountResult count(const Window& window) const override;
+  std::vector<PlannedFactorisation> plan() const override { return plan_of(system_); }
   StructureReport structure(std::optional<double> at) const override;
   std::vector<std::string> doubts(bool fixed_axes) const override;
 

@@ -121,7 +121,7 @@ Matrix free_along_axis(const StructureParts& p) {
   const Vector off = departures(p.stiffness, r, sparse::symmetric_times(p.stiffness, r));
   std::vector<Index> there;
   for (Index k = 0; k < r.cols(); ++k) {
-    if (off(k) <= rounding_of_file) there.push_back(k);
+    if (r.col(k).squaredNorm() > 0 && off(k) <= rounding_of_file) there.push_back(k);
   }
   return r(Eigen::all, there);
 }

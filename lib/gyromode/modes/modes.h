@@ -9,6 +9,9 @@
 #include "gyromode/system/first_order_system.h"
 #include "gyromode/system/system.h"
 
+#include <string_view>
+#include <vector>
+
 namespace gyromode {
 
 /// What to compute, and at what price.
@@ -40,9 +43,18 @@ ModesResult find_modes(const FirstOrderSystem& system, const ModesOptions& optio
 ModesResult find_modes(const Spacecraft& spacecraft, const ModesOptions& options = {});
 
 /// Modes of a sparse system in a window, or the lowest so many, by ranges; counted by factorisations.
-/// @throws InvalidArgument for an open window without `lowest`; NotApplicable for a method, coordinates to keep, or K singular
-/// to rounding; TooLarge
+/// @throws InvalidArgument for an open window without `lowest`; NotApplicable for a method, coordinates to keep, or a
+/// singular K of which what is free cannot be told from what is soft; TooLarge
 ModesResult find_modes(const SparseSystem& system, const ModesOptions& options = {});
+
+/// A factorisation that find_modes() would make, as its analysis estimates it.
+struct PlannedFactorisation {
+  std::string_view what;  ///< "K", "K, in phase", "H(ω)", …
+  Index order = 0;
+  double entries = 0;    ///< of the factor
+  double megabytes = 0;  ///< in core
+};
+std::vector<PlannedFactorisation> plan_of(const SparseSystem& system);
 
 /// How many modes a window holds (theory (T9), (T10)): of matrices all are found and counted, of a spacecraft by the
 /// counts at the ends alone.

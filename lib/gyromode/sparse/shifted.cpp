@@ -84,6 +84,11 @@ SparseMatrix ShiftedImpedance::values_at(double omega) const {
   return h;
 }
 
+std::unique_ptr<const SymmetricFactor> ShiftedImpedance::analysed() const {
+  if (order_.empty()) build();
+  return std::make_unique<const SymmetricFactor>(pattern_, order_, SymmetricFactor::Keep::factors);
+}
+
 // A factorisation that nobody holds any more is written over: its analysis is that of the pattern.
 std::shared_ptr<const ShiftedFactor> ShiftedImpedance::at(double sigma) const {
   if (order_.empty()) build();
