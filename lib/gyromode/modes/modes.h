@@ -49,10 +49,10 @@ ModesResult find_modes(const SparseSystem& system, const ModesOptions& options =
 
 /// A factorisation that find_modes() would make, as its analysis estimates it.
 struct PlannedFactorisation {
-  std::string_view what;  ///< "K", "K, in phase", "H(ω)", …
-  Index order = 0;
-  double entries = 0;    ///< of the factor
-  double megabytes = 0;  ///< in core
+  std::string_view what;  ///< "K", "K, in phase", "H*(ω)", …
+  Index order = 0;        ///< of the matrix that is factored
+  double entries = 0;     ///< of the factor
+  double megabytes = 0;   ///< in core
 };
 std::vector<PlannedFactorisation> plan_of(const SparseSystem& system);
 
