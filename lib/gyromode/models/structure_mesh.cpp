@@ -1,6 +1,7 @@
 #include "gyromode/models/structure_mesh.h"
 
 #include "gyromode/base/error.h"
+#include "gyromode/models/mesh_free_motions.h"
 #include "gyromode/sparse/matrix.h"
 
 #include <fmt/format.h>
@@ -73,57 +74,6 @@ void require_shared_directions(const Nodes& nodes, const Eigen::Matrix3d& cross)
       }
     }
   }
-}
-
-// ‖y‖ of y = Kx − what it should be, relative to |x|ᵀ|K||x|, of every column.
-Vector departures(const SparseMatrix& k, const Matrix& x, const Matrix& y) {
-  const Vector diagonal = k.diagonal().cwiseAbs().cwiseMax(1e-300), sizes = sparse::sizes_of(k, x.cwiseAbs());
-  Vector all(x.cols());
-  for (Index j = 0; j < x.cols(); ++j) all(j) = std::sqrt(y.col(j).cwiseAbs2().cwiseQuotient(diagonal).sum() / std::max(sizes(j), 1e-300));
-  return all;
-}
-
-constexpr double rounding_of_file = 1e-11;
-
-// Translations T across the axis, where nothing holds them: KT = −Ω²MT to rounding. Of directions across the axis the
-// first is along a coordinate, if one is.
-Matrix free_translations(const StructureParts& p) {
-  constexpr double across = 1e-9;
-  const Eigen::Vector3d axis = Eigen::Vector3d(p.axis[0], p.axis[1], p.axis[2]).normalized();
-  Eigen::Vector3d first = axis.unitOrthogonal();
-  for (int d = 2; d >= 0; --d) {
-    if (std::abs(axis(d)) <= across) first = Eigen::Vector3d::Unit(d);
-  }
-  const Eigen::Vector3d second = axis.cross(first);
-  Matrix t(p.mass.cols(), 2);
-  for (Index k = 0; k < t.rows(); ++k) {
-    const int d = p.coordinates[static_cast<std::size_t>(k)].direction;
-    t.row(k) << first(d), second(d);
-  }
-  const Matrix held = sparse::symmetric_times(p.stiffness, t) + p.spin * p.spin * sparse::symmetric_times(p.mass, t);
-  return departures(p.stiffness, t, held).maxCoeff() > rounding_of_file ? Matrix(t.rows(), 0) : t;
-}
-
-// Along the axis, and where positions are known about it through the centre of mass: those that K takes to zero.
-Matrix free_along_axis(const StructureParts& p) {
-  const Eigen::Vector3d axis = Eigen::Vector3d(p.axis[0], p.axis[1], p.axis[2]).normalized();
-  const auto centre = p.positions.empty() ? std::nullopt : facts_of(p).centre;
-  const Eigen::Vector3d middle =
-      centre ? Eigen::Vector3d((*centre)[0], (*centre)[1], (*centre)[2]) : Eigen::Vector3d(Eigen::Vector3d::Zero());
-  Matrix r = Matrix::Zero(p.mass.cols(), centre ? 2 : 1);
-  for (Index k = 0; k < r.rows(); ++k) {
-    const int d = p.coordinates[static_cast<std::size_t>(k)].direction;
-    r(k, 0) = axis(d);
-    if (!centre) continue;
-    const auto& at = p.positions[static_cast<std::size_t>(k)];
-    r(k, 1) = axis.cross(Eigen::Vector3d(at[0], at[1], at[2]) - middle)(d);
-  }
-  const Vector off = departures(p.stiffness, r, sparse::symmetric_times(p.stiffness, r));
-  std::vector<Index> there;
-  for (Index k = 0; k < r.cols(); ++k) {
-    if (r.col(k).squaredNorm() > 0 && off(k) <= rounding_of_file) there.push_back(k);
-  }
-  return r(Eigen::all, there);
 }
 
 }  // namespace
@@ -202,50 +152,6 @@ SparseMatrices assembled(const StructureParts& p) {
   for (const MeshCoordinate& c : p.coordinates) all.labels.push_back(name_of(c));
   all.node = nodes.of;
   return all;
-}
-
-namespace {
-
-// p_d of the centre is 1ᵀM p_d / 1ᵀM1 over the coordinates of one direction.
-void place(const StructureParts& p, MeshFacts& f) {
-  const auto n = static_cast<Index>(p.coordinates.size());
-  std::size_t fullest = 0;
-  for (std::size_t d = 1; d < 3; ++d) fullest = f.mass_per_direction[d] > f.mass_per_direction[fullest] ? d : fullest;
-  Matrix along = Matrix::Zero(n, 4);  // 1 and the three coordinates of the position
-  for (Index k = 0; k < n; ++k) {
-    if (static_cast<std::size_t>(p.coordinates[static_cast<std::size_t>(k)].direction) != fullest) continue;
-    const auto& at = p.positions[static_cast<std::size_t>(k)];
-    along.row(k) << 1, at[0], at[1], at[2];
-  }
-  const Vector m = sparse::symmetric_times(p.mass, along.col(0));
-  const double mass = m.dot(along.col(0));
-  if (!(mass > 0)) return;
-  const Eigen::Vector3d c = along.rightCols(3).transpose() * m / mass;
-  f.centre = {c(0), c(1), c(2)};
-  Matrix turns(n, 3);
-  for (Index k = 0; k < n; ++k) {
-    const auto& at = p.positions[static_cast<std::size_t>(k)];
-    const Eigen::Vector3d arm = Eigen::Vector3d(at[0], at[1], at[2]) - c;
-    for (int e = 0; e < 3; ++e) turns(k, e) = Eigen::Vector3d::Unit(e).cross(arm)(p.coordinates[static_cast<std::size_t>(k)].direction);
-  }
-  const Matrix i = turns.transpose() * sparse::symmetric_times(p.mass, turns);
-  f.inertia = {i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(1, 2), i(2, 0)};
-}
-
-}  // namespace
-
-// 1ᵀM1 over the coordinates of a direction.
-MeshFacts facts_of(const StructureParts& p) {
-  MeshFacts f;
-  f.nodes = static_cast<Index>(Nodes(p.coordinates).number.size());
-  for (Index q = 0; q < p.mass.outerSize(); ++q) {
-    for (SparseMatrix::InnerIterator it(p.mass, q); it; ++it) {
-      const int a = p.coordinates[static_cast<std::size_t>(it.row())].direction, b = p.coordinates[static_cast<std::size_t>(q)].direction;
-      if (a == b) f.mass_per_direction[static_cast<std::size_t>(a)] += (it.row() == q ? 1 : 2) * it.value();
-    }
-  }
-  if (!p.positions.empty()) place(p, f);
-  return f;
 }
 
 }  // namespace gyromode

@@ -59,7 +59,7 @@ Search::Found search_for(Search& search, const Goal& goal, const Progress& progr
       if (!goal.accepted && refused++ >= most_refused) return f;
     }
     if (last) return search.found(goal.range);
-    const bool settled = good == static_cast<Index>(inside.size()) && good == best;
+    const bool settled = good > 0 && good == static_cast<Index>(inside.size()) && good == best;
     quiet = settled ? quiet + 1 : 0;
     best = std::max(best, good);
     if (more && quiet < quiet_looks) continue;
