@@ -60,11 +60,14 @@ TEST_F(ModelFiles, MatrixFilesThatCannotBeRead) {
   EXPECT_EQ(error(start + "'wide.mtx'"), "model.toml:2:8: 'mass' has 2 rows and 3 columns: a square matrix was expected");
   write("vector.mtx", "%%MatrixMarket matrix array real general\n1 2\n3\n4\n");
   EXPECT_EQ(second_order(read(start + "'vector.mtx'\nstiffness=[5,6]")).mass(), rows2(3, 0, 0, 4));
-  // Too large for a dense model: said at the size line, before its entries are read.
+  // Large ones are held sparse, up to their promised end.
   write("large.mtx", "%%MatrixMarket matrix coordinate real general\n16384 16384 16384\n1 1 1\n");
-  EXPECT_EQ(error(start + "'large.mtx'"), "large.mtx:2: size 16384 x 16384 is too large: dense models have at most 16383 coordinates");
-  write("largest.mtx", "%%MatrixMarket matrix coordinate real general\n16383 16383 16383\n1 1 1\n");
+  EXPECT_EQ(error(start + "'large.mtx'"), "large.mtx:3: the file ends after 1 of the 16384 entries that line 2 promises");
+  write("large.mtx", "%%MatrixMarket matrix coordinate real symmetric\n16384 16384 1\n1 1 1\n2 2 1\n");
+  EXPECT_EQ(error(start + "'large.mtx'"), "large.mtx:4: one entry more than the 1 that line 2 promises");
+  write("largest.mtx", "%%MatrixMarket matrix coordinate real general\n4999 4999 16383\n1 1 1\n");
   EXPECT_EQ(error(start + "'largest.mtx'"), "largest.mtx:3: the file ends after 1 of the 16383 entries that line 2 promises");
+  // Too large for a dense model: said at the size line, before its entries are read.
   write("large.mtx", "%%MatrixMarket matrix array real general\n20000 20000\n");
   EXPECT_EQ(error(start + "'large.mtx'"), "large.mtx:2: size 20000 x 20000 is too large: dense models have at most 16383 coordinates");
 }

@@ -45,6 +45,7 @@ class LinesOfFile {
     ++number_;
     return true;
   }
+  std::size_t number() const { return number_; }
   [[noreturn]] void fail(const std::string& what) const { throw Unreadable(path_, number_, 0, what); }
 
  private:
@@ -94,9 +95,14 @@ bool entry_of(std::string_view line, Entry& e) {
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
-// After the banner, where there is one: the order that its size line gives; 0 of a file without.
-Index order_of_header(LinesOfFile& lines, std::string_view& line, int sign) {
-  if (!line.starts_with('%')) return 0;
+// What the size line after a banner gives; zeros of a file without.
+struct Header {
+  Index order = 0, entries = 0;
+  std::size_t line = 0;
+};
+
+Header header_of(LinesOfFile& lines, std::string_view& line, int sign) {
+  if (!line.starts_with('%')) return {};
   const auto says = [&](std::string_view word) { return line.find(word) != std::string_view::npos; };
   const bool skew = says("skew"), fits = says("general") || (sign > 0 ? says("symmetric") && !skew : skew);
   if (!says("coordinate") || says("complex") || !fits)
@@ -108,7 +114,7 @@ Index order_of_header(LinesOfFile& lines, std::string_view& line, int sign) {
   Entry size;
   if (!entry_of(line, size) || size.row != size.column || size.row < 1)
     lines.fail(fmt::format("'{}' where the size of a square matrix was expected: rows columns entries", shown(line)));
-  return static_cast<Index>(size.row);
+  return {static_cast<Index>(size.row), static_cast<Index>(size.value), lines.number()};
 }
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
@@ -142,14 +148,18 @@ SparseMatrix read_triplets(const std::filesystem::path& file, Index order, int s
   LinesOfFile lines(file);
   std::string_view line;
   if (!lines.next(line)) throw Unreadable(file, "is empty: lines 'row column value' were expected");
-  const Index given = order_of_header(lines, line, sign);
+  const Header header = header_of(lines, line, sign);
+  const Index given = header.order;
   if (given > 0 && order > 0 && given != order)
     lines.fail(fmt::format("a matrix of order {}: {} was expected, as the model has coordinates", given, order));
   bool more = given == 0 || lines.next(line);
   Triplets lower, mirrored;  // of the upper triangle
   std::int64_t largest = given > 0 ? given : order;
+  Index count = 0;
   for (; more; more = lines.next(line)) {
-    if (is_blank(line)) continue;
+    if (is_blank(line) || (given > 0 && line.starts_with('%'))) continue;
+    if (given > 0 && ++count > header.entries)
+      lines.fail(fmt::format("one entry more than the {} that line {} promises", header.entries, header.line));
     Entry e;
     if (!entry_of(line, e))
       lines.fail(fmt::format("'{}' is no entry: row, column and a finite number were expected, in full", shown(line)));
@@ -170,6 +180,8 @@ SparseMatrix read_triplets(const std::filesystem::path& file, Index order, int s
     else
       mirrored.emplace_back(column, row, sign * e.value);
   }
+  if (count < header.entries)
+    lines.fail(fmt::format("the file ends after {} of the {} entries that line {} promises", count, header.entries, header.line));
   if (lower.empty() && mirrored.empty() && (sign > 0 || given == 0))
     throw Unreadable(file, "has no entries: lines 'row column value' were expected");
   const bool off_diagonal = std::any_of(lower.begin(), lower.end(), [](const auto& e) { return e.row() != e.col(); });
