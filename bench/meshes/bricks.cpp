@@ -6,7 +6,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-
 #include <cmath>
 #include <numbers>
 

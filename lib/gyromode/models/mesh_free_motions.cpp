@@ -43,7 +43,7 @@ Matrix free_translations(const StructureParts& p) {
 
 Matrix free_along_axis(const StructureParts& p) {
   const Eigen::Vector3d axis = Eigen::Vector3d(p.axis[0], p.axis[1], p.axis[2]).normalized();
-  const auto centre = p.positions.empty() ? std::nullopt : facts_of(p).centre;
+  const auto centre = centre_of(p);
   const Eigen::Vector3d middle =
       centre ? Eigen::Vector3d((*centre)[0], (*centre)[1], (*centre)[2]) : Eigen::Vector3d(Eigen::Vector3d::Zero());
   Matrix r = Matrix::Zero(p.mass.cols(), centre ? 2 : 1);

@@ -47,5 +47,7 @@ struct MeshFacts {
   std::optional<std::array<double, 6>> inertia;
 };
 MeshFacts facts_of(const StructureParts& parts);
+/// The centre of it alone.
+std::optional<std::array<double, 3>> centre_of(const StructureParts& parts);
 
 }  // namespace gyromode

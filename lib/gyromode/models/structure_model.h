@@ -33,8 +33,7 @@ class SmallStructureModel : public DelegatingModel {
 };
 
 /// The model of a mesh: dense up to 1000 coordinates where M is positive definite and the body is held in all
-/// directions, else sparse. @throws LawBroken;
-/// TooLarge
+/// directions, else sparse. @throws LawBroken; TooLarge
 std::shared_ptr<const ModelKind> model_of_structure(StructureParts parts);
 
 }  // namespace gyromode

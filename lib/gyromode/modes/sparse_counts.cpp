@@ -21,20 +21,19 @@ Inertia SparseCounts::at(double omega) const {
     return i;
   }
   const auto known = counted_.find(omega);
-  if (known != counted_.end()) return known->second;
+  if (known != counted_.end()) return known->second.inertia;
   searches_.release_zero();  // it makes room
   const auto h = searches_.impedance(omega);
   i.negative = searches_.negative_at(omega);
   i.positive = system_.size() - i.negative;
   const double rounding = system_.basis() ? 10 * system_.basis()->departure : 0;
   i.margin = h->margin > std::max(sparse::singular_margin, rounding) ? 1 : 0;
-  margins_[omega] = h->margin;
-  return counted_.emplace(omega, i).first->second;
+  return counted_.emplace(omega, Counted{i, h->margin}).first->second.inertia;
 }
 
 double SparseCounts::margin(double omega) const {
-  const auto known = margins_.find(omega);
-  return known != margins_.end() ? known->second : searches_.impedance(omega)->margin;
+  const auto known = counted_.find(omega);
+  return known != counted_.end() ? known->second.margin : searches_.impedance(omega)->margin;
 }
 
 Index SparseCounts::between(double a, double b) const {

@@ -35,8 +35,11 @@ class SparseCounts {
   const SparseSystem& system_;
   const sparse::Searches& searches_;
   const SparseBalance& balance_;
-  mutable std::map<double, Inertia> counted_;
-  mutable std::map<double, double> margins_;
+  struct Counted {
+    Inertia inertia;
+    double margin = 0;  // of the factorisation
+  };
+  mutable std::map<double, Counted> counted_;
   double known_below_ = 0;
   SparseModes lowest_;  // without shapes
 };

@@ -29,8 +29,7 @@ sparse::MeasuredRoots SparseLowest::near_zero(Index wanted, const Window& range)
     last = good > 0 ? beyond_error * inside[static_cast<std::size_t>(std::min(good, wanted)) - 1].omega : 0;
     return wanted_if(good >= wanted, Window{0, last});
   };
-  sparse::MeasuredRoots found = search_for(searches_.about_zero(wanted), goal, progress_);
-  keep_listable(found.modes);
+  sparse::MeasuredRoots found = listable(searches_.about_zero(wanted), goal, progress_);
   while (!found.stopped && found.modes.size() > 1 && found.modes.back().omega > last) found.modes.pop_back();
   return found;
 }

@@ -23,8 +23,19 @@ Index converged_in(const std::vector<sparse::Search::Expected>& inside) {
 
 std::optional<Window> wanted_if(bool enough, const Window& range) { return enough ? std::optional<Window>(range) : std::nullopt; }
 
-void keep_listable(SparseModes& modes) {
-  modes.erase(std::remove_if(modes.begin(), modes.end(), [](const auto& m) { return !(m.residual <= worst_residual); }), modes.end());
+sparse::MeasuredRoots listable(sparse::Search& search, const sparse::Goal& goal, const Progress& progress) {
+  sparse::MeasuredRoots found = search_for(search, goal, progress);
+  std::erase_if(found.modes, [](const auto& m) { return !(m.residual <= worst_residual); });
+  return found;
+}
+
+sparse::Goal all_of(const Window& range, Index expected) {
+  sparse::Goal goal;
+  goal.range = range;
+  goal.enough = [range, expected](const auto& inside) { return wanted_if(converged_in(inside) >= expected, range); };
+  goal.missing = expected;
+  goal.most_applied = most_applied(expected);
+  return goal;
 }
 
 double gap_after(const SparseModes& roots, Index count) {

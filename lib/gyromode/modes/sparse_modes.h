@@ -21,8 +21,11 @@ Index converged_in(const std::vector<sparse::Search::Expected>& inside);
 /// The range, where there is enough in it.
 std::optional<Window> wanted_if(bool enough, const Window& range);
 
-/// Drops what has not converged to what is asked of a mode that is listed: it may be none.
-void keep_listable(SparseModes& modes);
+/// What a search finds, without what has not converged to what is asked of a mode that is listed: it may be none.
+sparse::MeasuredRoots listable(sparse::Search& search, const sparse::Goal& goal, const Progress& progress);
+
+/// A range with so many modes in it, all of which are wanted.
+sparse::Goal all_of(const Window& range, Index expected);
 
 /// The middle of the first gap after `count` of ascending roots that is wider than their errors; 0 where there is none.
 double gap_after(const SparseModes& roots, Index count);

@@ -1,6 +1,5 @@
 // What modes of a sparse system would take, by analyses alone.
 #include "gyromode/modes/modes.h"
-#include "gyromode/sparse/node_order.h"
 #include "gyromode/sparse/partition.h"
 #include "gyromode/sparse/shifted.h"
 
@@ -14,10 +13,8 @@ std::vector<PlannedFactorisation> plan_of(const SparseSystem& s) {
   for (std::size_t g = 0; g < 2; ++g) {
     const std::vector<Index>& rows = groups.rows[g];
     if (rows.empty()) continue;
-    std::vector<int> node;
-    for (const Index i : rows) node.push_back(s.node()[static_cast<std::size_t>(i)]);
-    const SymmetricFactor k(sparse::restricted(s.stiffness(), rows), sparse::coordinate_order(s.places(), node),
-                            SymmetricFactor::Keep::factors, SymmetricFactor::Kind::definite);
+    const SymmetricFactor k(sparse::restricted(s.stiffness(), rows), sparse::elimination_order(s, rows), SymmetricFactor::Keep::factors,
+                            SymmetricFactor::Kind::definite);
     all.push_back({groups.partition ? names[g] : "K", static_cast<Index>(rows.size()), k.entries(), k.megabytes()});
   }
   const auto h = sparse::ShiftedImpedance(s, groups).analysed();

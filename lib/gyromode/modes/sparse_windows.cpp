@@ -38,13 +38,7 @@ std::optional<SparseModes> joined(const SparseModes& low, const SparseModes& hig
 }  // namespace
 
 SparseModes SparseWindows::about(double sigma, double a, double b, Index expected) {
-  sparse::Goal goal;
-  goal.range = {a, b};
-  goal.enough = [&](const auto& inside) { return wanted_if(converged_in(inside) >= expected, goal.range); };
-  goal.missing = expected;
-  goal.most_applied = most_applied(expected);
-  sparse::MeasuredRoots found = search_for(*searches_.about(sigma, expected), goal, progress_);
-  keep_listable(found.modes);
+  sparse::MeasuredRoots found = listable(*searches_.about(sigma, expected), all_of({a, b}, expected), progress_);
   if (found.stopped) return stopped_at(sigma == 0 ? std::move(found.modes) : SparseModes(), a);
   return std::move(found.modes);
 }
@@ -59,10 +53,9 @@ SparseModes SparseWindows::stopped_at(SparseModes modes, double a) {
 SparseModes SparseWindows::from_both_ends(double a, double b, Index expected) {
   constexpr Index beyond = 1;
   Index wanted = (expected + 1) / 2 + beyond;
-  sparse::Goal goal;
-  goal.range = {a, b};
+  const sparse::Goal all = all_of({a, b}, expected);
+  sparse::Goal goal = all;
   goal.missing = wanted;
-  goal.most_applied = most_applied(expected);
   // With half of them the rest is often near: it is given a little time.
   constexpr int more_looks = 2;
   int looks = 0;
@@ -71,9 +64,8 @@ SparseModes SparseWindows::from_both_ends(double a, double b, Index expected) {
     return wanted_if(half || converged_in(inside) >= expected, goal.range);
   };
   const auto lower = searches_.about(a, expected);
-  sparse::MeasuredRoots found = search_for(*lower, goal, progress_);
+  sparse::MeasuredRoots found = listable(*lower, goal, progress_);
   SparseModes low = std::move(found.modes);
-  keep_listable(low);
   if (found.stopped) return stopped_at(std::move(low), a);
   if (static_cast<Index>(low.size()) == expected) return low;
   wanted = std::max<Index>(expected - static_cast<Index>(low.size()), 0) + beyond;
@@ -81,17 +73,13 @@ SparseModes SparseWindows::from_both_ends(double a, double b, Index expected) {
   goal.enough = [&](const auto& inside) {
     return wanted_if(converged_from(inside.rbegin(), inside.rend()) >= wanted || converged_in(inside) >= expected, goal.range);
   };
-  found = search_for(*searches_.about(b, expected), goal, progress_);
-  SparseModes high = std::move(found.modes);
-  keep_listable(high);
+  found = listable(*searches_.about(b, expected), goal, progress_);
+  const SparseModes high = std::move(found.modes);
   if (found.stopped) return stopped_at(std::move(low), a);
-  if (std::optional<SparseModes> all = joined(low, high, a, b, expected)) return std::move(*all);
+  if (std::optional<SparseModes> both = joined(low, high, a, b, expected)) return std::move(*both);
   // No gap to join them at, as where many are equal: all from one end.
-  goal.missing = expected;
-  goal.enough = [&](const auto& inside) { return wanted_if(converged_in(inside) >= expected, goal.range); };
-  found = search_for(*lower, goal, progress_);
+  found = listable(*lower, all, progress_);
   low = std::move(found.modes);
-  keep_listable(low);
   if (found.stopped) return stopped_at(std::move(low), a);
   return low.size() > high.size() ? low : high;
 }

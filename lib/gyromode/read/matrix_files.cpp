@@ -9,6 +9,7 @@
 #include "gyromode/models/sparse_matrices_model.h"
 #include "gyromode/read/labels_file.h"
 #include "gyromode/read/read_model.h"
+#include "gyromode/read/sparse_files.h"
 #include "gyromode/system/laws.h"
 
 #include <fmt/format.h>
@@ -188,21 +189,9 @@ Three from_container(const std::vector<NamedMatrix>& all, const MatrixFiles& fil
   return {sourced(m), sourced(g), sourced(k)};
 }
 
-}  // namespace
-
-namespace {
-
 Model read_large(const MatrixFiles& files, Index order) {
   Digest digest;
-  const auto read = [&](const std::filesystem::path& file, int sign) {
-    if (file.empty()) return SparseMatrix(order, order);
-    digest.add_large(file);
-    return read_triplets(file, order, sign);
-  };
-  SparseMatrices m;
-  m.mass = read(files.mass, 1);
-  m.gyroscopic = read(files.gyroscopic, -1);
-  m.stiffness = read(files.stiffness, 1);
+  SparseMatrices m = read_sparse_files({files.mass, files.gyroscopic, files.stiffness}, order, digest);
   if (!files.labels.empty()) m.labels = io::read_labels(files.labels);
   Model model(model_of_sparse(std::move(m)), "matrices");
   model.title = files.mass.stem().string();

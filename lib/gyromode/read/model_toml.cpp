@@ -8,6 +8,7 @@
 #include "gyromode/read/read_model.h"
 #include "gyromode/read/rotor_toml.h"
 #include "gyromode/read/spacecraft_toml.h"
+#include "gyromode/read/sparse_files.h"
 #include "gyromode/read/structure_toml.h"
 #include "gyromode/formats/text_file.h"
 #include "gyromode/read/toml_table.h"
@@ -133,16 +134,11 @@ std::shared_ptr<const ModelKind> read_large(const TomlTable& table, Digest& dige
   for (const std::string_view key : {"gyroscopic_per_spin", "stiffness_per_spin2", "spin", "orbits", "symmetrise"}) {
     if (table.has(key)) table.fail(key, fmt::format("'{}' is for dense matrices: models of {} coordinates have M, G and K", key, *order));
   }
-  const auto read = [&](std::string_view key, int sign) {
-    if (!table.has(key)) return SparseMatrix(*order, *order);
-    if (file(key).empty()) table.fail(key, fmt::format("'{}' must be a file, as 'mass' is one of order {}", key, *order));
-    digest.add_large(file(key));
-    return read_triplets(file(key), *order, sign);
-  };
-  SparseMatrices m;
-  m.mass = read("mass", 1);
-  m.gyroscopic = read("gyroscopic", -1);
-  m.stiffness = read("stiffness", 1);
+  for (const std::string_view key : {"gyroscopic", "stiffness"}) {
+    if (table.has(key) && !table.is_text(key))
+      table.fail(key, fmt::format("'{}' must be a file, as 'mass' is one of order {}", key, *order));
+  }
+  SparseMatrices m = read_sparse_files({file("mass"), file("gyroscopic"), file("stiffness")}, *order, digest);
   m.labels = table.texts_or_file("labels");
   return model_of_sparse(std::move(m));
 }

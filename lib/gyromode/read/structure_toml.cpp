@@ -4,6 +4,7 @@
 #include "gyromode/formats/dof_table.h"
 #include "gyromode/formats/node_table.h"
 #include "gyromode/formats/triplet_file.h"
+#include "gyromode/read/sparse_files.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,7 @@ namespace {
 constexpr std::array<std::string_view, 15> keys{"gyroscopic", "kind", "title", "reference", "known",       "parameters", "frame",    "mass",
                                                 "stiffness",  "dofs", "spin",  "axis",      "coordinates", "mirror",     "half_turn"};
 
-std::filesystem::path file_named(const TomlTable& table, std::string_view key, Digest& digest) {
+std::filesystem::path place_of(const TomlTable& table, std::string_view key) {
   const auto name = table.text(key);
   if (!name)
     table.fail(fmt::format("key '{}' is missing: a file was expected, such as \"job.{}\"", key,
@@ -25,7 +26,11 @@ std::filesystem::path file_named(const TomlTable& table, std::string_view key, D
                            : key == "dofs"       ? "dof"
                            : key == "gyroscopic" ? "gyr"
                                                  : "sti"));
-  const std::filesystem::path file = table.folder() / *name;
+  return table.folder() / *name;
+}
+
+std::filesystem::path file_named(const TomlTable& table, std::string_view key, Digest& digest) {
+  std::filesystem::path file = place_of(table, key);
   digest.add_large(file);
   return file;
 }
@@ -79,17 +84,19 @@ SparseMatrices read_sparse_matrices(const TomlTable& table, Digest& digest) {
       table.fail(key,
                  fmt::format("'{}' is for G that is made of M, and 'gyroscopic' gives G by its own file: one of them was expected", key));
   }
-  SparseMatrices all;
+  Labels labels;
+  std::vector<int> node;
   if (table.text("dofs")) {
     std::unordered_map<long, int> nodes;
     for (const MeshDof& d : read_dof_table(file_named(table, "dofs", digest))) {
-      all.labels.push_back(fmt::format("{}.{}", d.node, d.direction));
-      all.node.push_back(nodes.try_emplace(d.node, static_cast<int>(nodes.size())).first->second);
+      labels.push_back(fmt::format("{}.{}", d.node, d.direction));
+      node.push_back(nodes.try_emplace(d.node, static_cast<int>(nodes.size())).first->second);
     }
   }
-  all.mass = read_triplets(file_named(table, "mass", digest), static_cast<Index>(all.labels.size()), 1);
-  all.stiffness = read_triplets(file_named(table, "stiffness", digest), all.mass.cols(), 1);
-  all.gyroscopic = read_triplets(file_named(table, "gyroscopic", digest), all.mass.cols(), -1);
+  SparseMatrices all = read_sparse_files({place_of(table, "mass"), place_of(table, "gyroscopic"), place_of(table, "stiffness")},
+                                         static_cast<Index>(labels.size()), digest);
+  all.labels = std::move(labels);
+  all.node = std::move(node);
   return all;
 }
 

@@ -78,18 +78,24 @@ SparseMatrix folded_matrix(const SparseMatrix& a, const Involution& s, double tr
   return result;
 }
 
+constexpr double root_half = std::numbers::sqrt2 / 2;
+
+// Every pair i < partner(i), with its sign.
+template <class See>
+void each_pair(const Involution& s, const See& see) {
+  for (std::size_t i = 0; i < s.partner.size(); ++i) {
+    if (s.partner[i] > static_cast<Index>(i)) see(static_cast<Index>(i), s.partner[i], static_cast<double>(s.sign[i]));
+  }
+}
+
 }  // namespace
 
 Matrix folded(const Involution& s, const Matrix& q) {
-  constexpr double root = std::numbers::sqrt2 / 2;
   Matrix p = q;
-  for (Index i = 0; i < p.rows(); ++i) {
-    const Index other = s.partner[static_cast<std::size_t>(i)];
-    if (other <= i) continue;
-    const double sign = s.sign[static_cast<std::size_t>(i)];
-    p.row(i) = root * (q.row(i) + sign * q.row(other));
-    p.row(other) = root * (q.row(i) - sign * q.row(other));
-  }
+  each_pair(s, [&](Index i, Index other, double sign) {
+    p.row(i) = root_half * (q.row(i) + sign * q.row(other));
+    p.row(other) = root_half * (q.row(i) - sign * q.row(other));
+  });
   return p;
 }
 
@@ -114,14 +120,11 @@ SparseMatrices folded(const SparseMatrices& m, const Involution& s) {
 }
 
 ComplexVector unfolded(const Involution& s, const ComplexVector& p) {
-  constexpr double root = std::numbers::sqrt2 / 2;
   ComplexVector q = p;
-  for (Index i = 0; i < p.size(); ++i) {
-    const Index other = s.partner[static_cast<std::size_t>(i)];
-    if (other <= i) continue;
-    q(i) = root * (p(i) + p(other));
-    q(other) = root * static_cast<double>(s.sign[static_cast<std::size_t>(i)]) * (p(i) - p(other));
-  }
+  each_pair(s, [&](Index i, Index other, double sign) {
+    q(i) = root_half * (p(i) + p(other));
+    q(other) = root_half * sign * (p(i) - p(other));
+  });
   return q;
 }
 

@@ -100,8 +100,7 @@ FreeMotions free_motions_of(const SparseSystem& s, const Groups& groups, const S
     const Index r = stiffness.nullity(b);
     z.n.middleCols(at, r) = stiffness.null_space(b);
     at += r;
-    const bool across = groups.partition && (stiffness.blocks() == 1 ? groups.rows[0].empty() : b == 1);
-    z.across.insert(z.across.end(), static_cast<std::size_t>(r), across);
+    z.across.insert(z.across.end(), static_cast<std::size_t>(r), stiffness.across(b));
   }
   const Matrix p = lapack::multiply_tn(z.n, skew_times(s.gyroscopic(), z.n)), coupling = 0.5 * (p - p.transpose());
   const Index first = std::count(z.across.begin(), z.across.end(), false), second = z.nullity() - first;

@@ -1,5 +1,7 @@
 #include "gyromode/sparse/groups.h"
 
+#include "gyromode/sparse/node_order.h"
+
 namespace gyromode::sparse {
 
 Groups groups_of(const Structure& structure, Index n) {
@@ -11,6 +13,12 @@ Groups groups_of(const Structure& structure, Index n) {
   }
   for (Index i = 0; i < n; ++i) g.rows[g.across[static_cast<std::size_t>(i)] ? 1 : 0].push_back(i);
   return g;
+}
+
+std::vector<int> elimination_order(const SparseSystem& system, const std::vector<Index>& rows) {
+  std::vector<int> node;
+  for (const Index i : rows) node.push_back(system.node()[static_cast<std::size_t>(i)]);
+  return coordinate_order(system.places(), node);
 }
 
 SparseMatrix coupling_of(const SparseSystem& system, const Groups& groups) {

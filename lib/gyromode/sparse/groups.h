@@ -16,6 +16,9 @@ struct Groups {
 };
 Groups groups_of(const Structure& structure, Index n);
 
+/// The order of elimination of some coordinates of a system, as those who factor a block of it want it.
+std::vector<int> elimination_order(const SparseSystem& system, const std::vector<Index>& rows);
+
 /// [0, B; Bᵀ, 0] by what is below its diagonal, B the block of G that has rows in phase: C u is (Bẏ, Bᵀx) of u = (x,
 /// ẏ).
 SparseMatrix coupling_of(const SparseSystem& system, const Groups& groups);

@@ -2,7 +2,6 @@
 
 #include "gyromode/sparse/factor.h"
 #include "gyromode/sparse/matrix.h"
-#include "gyromode/sparse/node_order.h"
 #include "gyromode/sparse/orthonormal.h"
 
 #include "gyromode/lapack/multiply.h"
@@ -16,9 +15,7 @@ Index negative_at_rest(const SparseSystem& s, const Groups& groups, double mu) {
   for (const std::vector<Index>& rows : groups.rows) {
     if (rows.empty()) continue;
     const SparseMatrix a = restricted(s.stiffness(), rows) - mu * restricted(s.mass(), rows);
-    std::vector<int> node;
-    for (const Index i : rows) node.push_back(s.node()[static_cast<std::size_t>(i)]);
-    SymmetricFactor factor(a, coordinate_order(s.places(), node), SymmetricFactor::Keep::counts);
+    SymmetricFactor factor(a, elimination_order(s, rows), SymmetricFactor::Keep::counts);
     negative += factor.factor(a);
   }
   return negative;

@@ -20,8 +20,7 @@ Searches::Searches(const SparseSystem& system, const Structure& structure)
       impedance_(system, groups_) {}
 
 Index Searches::negative(Index block) const {
-  const bool across = groups_.partition && (stiffness_.blocks() == 1 ? groups_.rows[0].empty() : block == 1);
-  return stiffness_.negative(block) - std::count(free_.t_across.begin(), free_.t_across.end(), across);
+  return stiffness_.negative(block) - std::count(free_.t_across.begin(), free_.t_across.end(), stiffness_.across(block));
 }
 
 Index Searches::leading_block() const {

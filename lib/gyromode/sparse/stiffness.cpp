@@ -2,7 +2,6 @@
 
 #include "gyromode/sparse/inverse_iteration.h"
 #include "gyromode/sparse/matrix.h"
-#include "gyromode/sparse/node_order.h"
 
 #include <algorithm>
 
@@ -15,10 +14,9 @@ StiffnessFactors::StiffnessFactors(const SparseSystem& s, const Groups& groups) 
     if (rows.empty()) continue;
     Block b;
     b.rows = rows;
+    b.across = groups.across[static_cast<std::size_t>(rows.front())];
     const SparseMatrix k = restricted(s.stiffness(), rows), m = restricted(s.mass(), rows);
-    std::vector<int> node;
-    for (const Index i : rows) node.push_back(s.node()[static_cast<std::size_t>(i)]);
-    const std::vector<int> order = coordinate_order(s.places(), node);
+    const std::vector<int> order = elimination_order(s, rows);
     const Vector diagonal = k.diagonal();
     const bool perhaps_definite = diagonal.minCoeff() > 0;
     for (const auto kind : {SymmetricFactor::Kind::definite, SymmetricFactor::Kind::indefinite}) {

@@ -21,6 +21,8 @@ class StiffnessFactors {
   Index blocks() const { return static_cast<Index>(blocks_.size()); }
   Index negative(Index block) const { return blocks_[static_cast<std::size_t>(block)].negative; }
   Index negative() const;
+  /// Whether it is that of the coordinates in quadrature.
+  bool across(Index block) const { return blocks_[static_cast<std::size_t>(block)].across; }
   Index nullity(Index block) const { return blocks_[static_cast<std::size_t>(block)].null_space.basis.cols(); }
   Index nullity() const;
   /// N of a block, n × r: NᵀMN = 1, with rows of that block alone.
@@ -36,6 +38,7 @@ class StiffnessFactors {
  private:
   struct Block {
     std::vector<Index> rows;
+    bool across = false;
     SparseMatrix mass;
     std::unique_ptr<SymmetricFactor> factor;  // of K, or of K − νM where K is singular
     Index negative = 0;
