@@ -59,6 +59,33 @@ Chain chain_of(support::Source& source, Index n, bool partition, Index pushing, 
   return c;
 }
 
+// Blocks of K without an entry: masses that nothing holds, turned by G or not.
+TEST(SingularStiffness, MayBeNothingAtAll) {
+  for (const int unit : {-30, 0, 30}) {
+    for (const Index n : {1, 2, 3, 6, 40}) {
+      for (const double spin : {0.0, 1.0}) {
+        const double s = std::exp2(unit);
+        Matrix g = Matrix::Zero(n, n);
+        Index turned = 0;
+        for (Index i = 0; spin > 0 && i + 1 < n; i += 2, ++turned) {
+          g(i, i + 1) = s * (1 + 0.1 * static_cast<double>(i));
+          g(i + 1, i) = -g(i, i + 1);
+        }
+        ModesOptions o;
+        o.window.b = 10;
+        const ModesResult r = find_modes(
+            SparseSystem({support::lower_of(s * Matrix::Identity(n, n)), support::lower_of(g, false), SparseMatrix(n, n), {}, {}}), o);
+        EXPECT_TRUE(r.is_complete()) << n << " " << spin << ": " << r.coverage.reason;
+        EXPECT_EQ(r.stability, Stability::stable) << n;
+        EXPECT_EQ(r.index_balance.zero, n - turned) << n << " " << spin;
+        ASSERT_EQ(static_cast<Index>(r.modes.size()), n) << n << " " << spin;
+        for (Index i = 0; i < turned; ++i)
+          EXPECT_NEAR(r.modes[static_cast<std::size_t>(n - turned + i)].omega, 1 + 0.2 * static_cast<double>(i), 1e-13) << n;
+      }
+    }
+  }
+}
+
 TEST(SingularStiffness, IsAsTheDenseEngineHasIt) {
   support::Source source{std::mt19937_64(15)};
   const char* asked = std::getenv("GYROMODE_SPARSE");

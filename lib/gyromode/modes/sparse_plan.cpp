@@ -13,8 +13,9 @@ std::vector<PlannedFactorisation> plan_of(const SparseSystem& s) {
   for (std::size_t g = 0; g < 2; ++g) {
     const std::vector<Index>& rows = groups.rows[g];
     if (rows.empty()) continue;
-    const SymmetricFactor k(sparse::restricted(s.stiffness(), rows), sparse::elimination_order(s, rows), SymmetricFactor::Keep::factors,
-                            SymmetricFactor::Kind::definite);
+    const SparseMatrix block = sparse::restricted(s.stiffness(), rows);
+    if (block.nonZeros() == 0) continue;
+    const SymmetricFactor k(block, sparse::elimination_order(s, rows), SymmetricFactor::Keep::factors, SymmetricFactor::Kind::definite);
     all.push_back({groups.partition ? names[g] : "K", static_cast<Index>(rows.size()), k.entries(), k.megabytes()});
   }
   const auto h = sparse::ShiftedImpedance(s, groups).analysed();

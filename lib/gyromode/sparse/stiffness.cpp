@@ -19,14 +19,15 @@ StiffnessFactors::StiffnessFactors(const SparseSystem& s, const Groups& groups) 
     const std::vector<int> order = elimination_order(s, rows);
     const Vector diagonal = k.diagonal();
     const bool perhaps_definite = diagonal.minCoeff() > 0;
+    const bool nothing = k.nonZeros() == 0;  // which MUMPS does not take
     for (const auto kind : {SymmetricFactor::Kind::definite, SymmetricFactor::Kind::indefinite}) {
-      if (kind == SymmetricFactor::Kind::definite && !perhaps_definite) continue;
+      if (nothing || (kind == SymmetricFactor::Kind::definite && !perhaps_definite)) continue;
       b.factor = std::make_unique<SymmetricFactor>(k, order, SymmetricFactor::Keep::factors, kind);
       b.negative = b.factor->factor(k);
       if (b.negative == 0 && !b.factor->singular()) break;
     }
     const auto solve = [&](Matrix x) { return b.factor->solve(std::move(x)); };
-    if (b.factor->singular() || least_form(solve, k, m) <= singular_margin) {
+    if (nothing || b.factor->singular() || least_form(solve, k, m) <= singular_margin) {
       b.null_space = null_space_of(k, m, order);
       b.negative = b.null_space.negative;
       const SparseMatrix shifted = k - b.null_space.shift * m;
