@@ -109,6 +109,14 @@ std::vector<BoomPoint> points_of(const std::vector<std::string>& texts) {
   return points;
 }
 
+std::vector<Index> coordinates_of(const std::string& option, const std::string& list, const Labels& labels) {
+  std::vector<Index> all;
+  for (const std::string& word : parted(list)) all.push_back(coordinate_named(word, labels, option));
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
 Labels labels_of(const std::string& list, const Labels& labels) {
   Labels chosen;
   for (const std::string& word : parted(list)) {

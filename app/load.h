@@ -22,6 +22,9 @@ std::vector<Unbalance> unbalances_of(const std::vector<std::string>& texts);
 /// "cable1@0.5", "beam1@1", "mass2".
 std::vector<BoomPoint> points_of(const std::vector<std::string>& texts);
 
+/// "LABEL,LABEL": the coordinates of the model that are named, ascending. Throws UsageError, beginning with the option.
+std::vector<Index> coordinates_of(const std::string& option, const std::string& list, const Labels& labels);
+
 /// "LABEL,LABEL": labels of the model, each once. Throws UsageError.
 Labels labels_of(const std::string& list, const Labels& labels);
 

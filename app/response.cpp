@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -20,7 +21,9 @@ namespace {
 struct Options {
   ModelSource source;
   OutputOption output;
-  std::string initial, times, frequencies;
+  WindowOption window;
+  std::optional<Index> lowest;
+  std::string initial, times, frequencies, only;
   std::optional<std::string> until, step;
   std::vector<std::string> forces, points, unbalances;
   std::string spin;
@@ -36,14 +39,53 @@ Vector times_of(const Options& o) {
   return time_grid(time_option("--until", *o.until), time_option("--step", *o.step));
 }
 
+bool large(const Model& m) { return !m.body->finite() && !m.body->transcendental(); }
+
+// The coordinates of --only; of a large model otherwise those that something drives.
+std::vector<Index> chosen_of(const Options& o, const Model& m, const std::vector<const Vector*>& driving) {
+  if (!o.only.empty()) return coordinates_of("--only", o.only, m.labels());
+  if (!large(m)) return {};
+  constexpr std::size_t most = 200;
+  std::vector<Index> driven;
+  for (Index i = 0; i < m.size(); ++i) {
+    if (std::any_of(driving.begin(), driving.end(), [&](const Vector* v) { return (*v)(i) != 0; })) driven.push_back(i);
+  }
+  if (driven.empty() || driven.size() > most)
+    throw UsageError(fmt::format("which of the {} coordinates are wanted? --only LABEL,LABEL,… names them", m.size()));
+  o.output.say(fmt::format("shown are what is driven, {} of {} coordinates: --only LABEL,LABEL,… names others", driven.size(), m.size()));
+  return driven;
+}
+
+constexpr Index lowest_of_large = 10;
+
+// A motion of a large model is made of some of its modes; of others all take part.
+void choose_modes(const Options& o, const Model& m, MotionRequest& request) {
+  if (!large(m)) {
+    if (o.window.given() || o.lowest)
+      throw UsageError("--lowest, --below and --window are for large sparse models: this motion is made of all modes");
+    return;
+  }
+  request.window = o.window.read();
+  request.lowest = o.window.given() ? o.lowest : o.lowest.value_or(lowest_of_large);
+  if (o.window.given() && request.window.open())
+    throw UsageError("--window: a large sparse model is searched window by window; the upper end is needed");
+}
+
 ResponseReport moved(const Model& m, const Options& o, const Progress& progress) {
   m.body->require_motion();
   const State start = o.initial.empty() ? State::rest(m.size()) : io::read_initial_state(o.initial, m.labels());
-  return m.response({start, forces_of(o.forces, m.labels()), points_of(o.points), times_of(o), o.rates, progress});
+  MotionRequest request{start, forces_of(o.forces, m.labels()), points_of(o.points), times_of(o), o.rates, progress};
+  std::vector<const Vector*> driving{&request.initial.q, &request.initial.qdot};
+  for (const Force& f : request.forces) driving.push_back(&f.amplitude);
+  request.chosen = chosen_of(o, m, driving);
+  choose_modes(o, m, request);
+  return m.response(request);
 }
 
 FrequencyReport swept(const Model& m, const Options& o, const Progress& progress) {
-  return m.frequency_response({amplitude_of(o.forces, m.labels()), frequency_grid("--frequencies", o.frequencies), progress});
+  FrequencyRequest request{amplitude_of(o.forces, m.labels()), frequency_grid("--frequencies", o.frequencies), progress};
+  request.chosen = chosen_of(o, m, {&request.amplitude});
+  return m.frequency_response(request);
 }
 
 // Those of --spin, else that of the model.
@@ -77,6 +119,9 @@ ExitCode run(const Options& given) {
   const bool sweep = !o.frequencies.empty();
   if (sweep && (!o.initial.empty() || o.until || o.step || !o.times.empty() || !o.points.empty()))
     throw UsageError("--frequencies is the response at steady frequencies: no initial state, no times");
+  if (sweep && (o.window.given() || o.lowest))
+    throw UsageError(
+        "--frequencies solves for the response point by point, not mode by mode: it goes without --lowest, --below and --window");
   if (sweep && o.forces.empty()) throw UsageError("--frequencies needs a force: --force LABEL=F");
   if (!sweep && o.initial.empty() && o.forces.empty())
     throw UsageError("nothing moves: give --initial FILE.csv (columns label,q,qdot), --force, or --unbalance");
@@ -86,7 +131,8 @@ ExitCode run(const Options& given) {
     o.output.write(document(job.model(), report, job.timings(), o.output.layout(Format::csv)));
     for (const std::string& remark : report.remarks()) o.output.say(remark);
     if (report.response.interrupted) return job.interrupted();
-    return ExitCode::done;
+    const auto& coverage = report.response.coverage;
+    return !coverage || coverage->status == CoverageStatus::complete ? ExitCode::done : ExitCode::not_certified;
   }
   const ResponseReport report = job.answer([&](const Model& m, const Progress& p) { return moved(m, o, p); });
   o.output.write(document(job.model(), report, job.timings(), o.output.layout(Format::csv)));
@@ -127,6 +173,14 @@ void add_response(CLI::App& program, int& code) {
                    "Spacecraft: also the displacement of these places: cable1@0.5 (from root 0 to tip 1), beam1@1, mass1")
       ->type_name("PLACE")
       ->delimiter(',');
+  verb->add_option("--only", o->only, "These coordinates alone, LABEL,LABEL,… (default all; of a large sparse model those that are driven)")
+      ->type_name("LABELS");
+  auto* lowest =
+      verb->add_option("--lowest", o->lowest, "Large sparse models: the motion in the N lowest modes (default 10), with what is left out")
+          ->type_name("N")
+          ->check(whole_above_zero());
+  o->window.add_to(*verb);
+  for (const char* name : {"--below", "--window"}) lowest->excludes(verb->get_option(name));
   verb->add_flag("--rates", o->rates, "Also velocities, one column more a coordinate");
   o->output.add_to(*verb);
   verb->footer(

@@ -2,6 +2,7 @@
 #include "gyromode/models/mesh_symmetry.h"
 #include "gyromode/models/structure_mesh.h"
 #include "gyromode/modes/modes.h"
+#include "gyromode/motion/frequency_response.h"
 #include "gyromode/sparse/matrix.h"
 #include "meshes/bricks.h"
 
@@ -90,6 +91,27 @@ TEST(FreeBody, IsAsTheDenseEngineHasItWithoutTranslation) {
     for (const bool flat : {false, true}) {
       for (const double lean : {0.0, 0.1}) expect_free(spin, flat, lean);
     }
+  }
+}
+
+// A body that nothing holds is driven without a bound at rest and at its spin, and solved for elsewhere.
+TEST(FreeBody, FrequencyResponse) {
+  constexpr double spin = 1000;
+  const StructureParts p = free_box(spin, false, 0.1);
+  const SparseMatrices given = assembled(p);
+  const Matrix m = sparse::full(given.mass, 1), g = sparse::full(given.gyroscopic, -1), k = sparse::full(given.stiffness, 1);
+  Vector force = Vector::Zero(m.rows()), grid(4);
+  force(7) = 1;  // across the axis, at a distance from it: it turns the body too
+  grid << 0, 0.5 * spin, spin, 1.5 * spin;
+  const FrequencyResponse r = frequency_response(SparseSystem(in_symmetric_coordinates(p)), force, grid, {}, false);
+  ASSERT_EQ(r.points.size(), 4u);
+  EXPECT_TRUE(r.points[0].resonance());
+  EXPECT_TRUE(r.points[2].resonance());
+  for (const std::size_t i : {1u, 3u}) {
+    const double w = grid(static_cast<Index>(i));
+    const ComplexMatrix h = (k - w * w * m).cast<Complex>() + Complex(0, w) * g;
+    const ComplexVector q = h.partialPivLu().solve(force.cast<Complex>());
+    EXPECT_LT((r.points[i].q - q).norm(), 1e-7 * q.norm()) << w;
   }
 }
 

@@ -2,6 +2,8 @@
 #include "gyromode/base/error.h"
 #include "gyromode/models/mesh_symmetry.h"
 #include "gyromode/modes/modes.h"
+#include "gyromode/motion/frequency_response.h"
+#include "gyromode/motion/windowed_motion.h"
 #include "gyromode/sparse/basis.h"
 
 #include <gtest/gtest.h>
@@ -101,6 +103,32 @@ const auto skewed = [](const Vector3d& p) {
 
 TEST(MeshSymmetry, MirrorPlanesAlongCoordinateAxesAreFound) {
   for (const double spin : {0.2, 0.9}) expect_folded(truss(3, 4, 5, spin, as_it_is), "mirror plane with normal x");
+}
+
+// Forces and motions are in the coordinates given, whatever the mesh is folded into.
+TEST(MeshSymmetry, ResponsesAreInTheCoordinatesGiven) {
+  constexpr double angle = 0.4;
+  const auto turned = [](const Vector3d& p) {
+    return Vector3d(p(0) * std::cos(angle) - p(1) * std::sin(angle), p(0) * std::sin(angle) + p(1) * std::cos(angle), p(2));
+  };
+  StructureParts p = truss(3, 3, 3, 0.4, turned);
+  p.symmetry = MeshSymmetry{MeshSymmetry::Kind::mirror, {std::cos(angle), std::sin(angle), 0}};
+  const SparseMatrices given = assembled(p);
+  const System dense(full(given.mass, 1), full(given.gyroscopic, -1), full(given.stiffness, 1));
+  const SparseSystem folded(in_symmetric_coordinates(p));
+  ASSERT_TRUE(folded.basis() && folded.basis()->turn);
+  const Index n = dense.size();
+  const Vector force = Vector::LinSpaced(n, -1, 2), grid = Vector::LinSpaced(7, 0.1, 2);
+  const FrequencyResponse r = frequency_response(folded, force, grid, {}, false), expected = frequency_response(dense, force, grid, false);
+  for (std::size_t i = 0; i < r.points.size(); ++i)
+    EXPECT_LT((r.points[i].q - expected.points[i].q).norm(), 1e-9 * expected.points[i].q.norm()) << i;
+  ModesOptions all;
+  all.window.b = 100;
+  const std::vector<Force> forces{{Force::Course::harmonic, force, 0.3}, {Force::Course::impulse, force, 0}};
+  const State start{Vector::LinSpaced(n, 3, -1), Vector::LinSpaced(n, 1, -2)};
+  const WindowedMotion motion(folded, start, forces, all, {});
+  const Response truth(dense, start, forces);
+  for (const double t : {0.0, 4.0}) EXPECT_LT((motion.at(t).q - truth.at(t).q).norm(), 1e-8 * truth.at(t).q.norm()) << t;
 }
 
 TEST(MeshSymmetry, HalfTurnsOfATwistedMeshAreFound) { expect_folded(truss(3, 4, 5, 0.3, twisted), "half-turn about x"); }

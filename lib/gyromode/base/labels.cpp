@@ -19,6 +19,12 @@ bool has_control_character(std::string_view label) {
   return std::any_of(label.begin(), label.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
 }
 
+Labels labels_at(const Labels& labels, const std::vector<Index>& which) {
+  Labels some;
+  for (const Index i : which) some.push_back(labels[static_cast<std::size_t>(i)]);
+  return some;
+}
+
 void require_labels(const Labels& labels, Index n) {
   if (static_cast<Index>(labels.size()) != n) {
     throw LawBroken(fmt::format("labels must name every coordinate once: {} labels for {} coordinates", labels.size(), n));

@@ -16,6 +16,8 @@ Labels default_labels(Index n);
 
 /// Throws LawBroken unless there are n, none empty, no two equal, without control characters.
 void require_labels(const Labels& labels, Index n);
+/// Those of some coordinates.
+Labels labels_at(const Labels& labels, const std::vector<Index>& which);
 bool has_control_character(std::string_view label);
 
 }  // namespace gyromode

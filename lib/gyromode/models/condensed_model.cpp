@@ -165,6 +165,7 @@ ResponseReport CondensedModel::response(const MotionRequest& request) const {
     m.phase = std::arg(std::polar(1.0, m.phase) * largest);
     m.shape = normalised(std::move(all));
   }
+  report.keep_only(request.chosen, size());
   return report;
 }
 

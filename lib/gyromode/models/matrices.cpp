@@ -111,11 +111,14 @@ ResponseReport MatricesModel::response(const MotionRequest& request) const {
   ResponseReport report;
   report.labels = labels();
   add_facts(r, r, request, report);
+  report.keep_only(request.chosen, size());
   return report;
 }
 
 FrequencyReport MatricesModel::frequency_response(const FrequencyRequest& request) const {
-  return {labels(), gyromode::frequency_response(system_, request.amplitude, request.grid, true, request.progress)};
+  FrequencyReport report{labels(), gyromode::frequency_response(system_, request.amplitude, request.grid, true, request.progress)};
+  report.keep_only(request.chosen);
+  return report;
 }
 
 std::vector<ModelKind::NamedMatrix> MatricesModel::matrices() const {

@@ -22,6 +22,16 @@ std::vector<std::string> ResponseReport::doubts() const {
   return all;
 }
 
+void ResponseReport::keep_only(const std::vector<Index>& chosen, Index n) {
+  if (chosen.empty()) return;
+  std::vector<Index> rows = chosen;
+  for (Index i = n; i < static_cast<Index>(labels.size()); ++i) rows.push_back(i);
+  labels = labels_at(labels, rows);
+  history.q = Matrix(history.q(rows, Eigen::all));
+  history.qdot = Matrix(history.qdot(rows, Eigen::all));
+  for (ModalShare& m : modal) m.shape = ComplexVector(m.shape(rows));
+}
+
 Orbit UnbalanceReport::orbit(const SynchronousPoint& point, std::size_t place) const {
   if (response.order > 0) return orbit_of(point.q, places[place]);
   const double x = point.q(places[place].x).real(), y = point.q(places[place].y).real(), radius = std::hypot(x, y);
@@ -50,7 +60,17 @@ std::vector<std::string> FrequencyReport::remarks() const {
                                      : "that of a mode, and whether the force drives it cannot be told: the limit from both sides is given";
     all.push_back(fmt::format("ω = {:.17g} rad/s of the grid is {}, participation {:.1e}", p.omega, what, *p.participation));
   }
+  if (response.coverage && response.coverage->status != CoverageStatus::complete)
+    all.push_back("the modes of the range are not certified complete: " + response.coverage->reason);
   return all;
+}
+
+void FrequencyReport::keep_only(const std::vector<Index>& chosen) {
+  if (chosen.empty()) return;
+  labels = labels_at(labels, chosen);
+  for (FrequencyPoint& p : response.points) {
+    if (p.q.size() > 0) p.q = ComplexVector(p.q(chosen));
+  }
 }
 
 }  // namespace gyromode

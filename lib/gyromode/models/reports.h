@@ -94,6 +94,7 @@ struct ResponseReport {
   double initial_energy = 0;                 ///< at t = 0⁺
   double zero_energy = 0;                    ///< of displaced rest and drift
   double remainder_energy = 0;               ///< of growing motions and double roots
+  std::optional<double> energy_left_out;     ///< of a large sparse model: in modes beyond those of the window
   double departure = 0;                      ///< of the decomposition, relative
   double phase_error = 0;                    ///< rad, at the last time
   bool balance_closed = false;               ///< whether the roots account for all of the motion
@@ -102,6 +103,8 @@ struct ResponseReport {
   /// Why the motion is not certified, for people; empty where it is: the balance closes, departure and phase error are
   /// up to 10⁻⁶.
   std::vector<std::string> doubts() const;
+  /// Keeps those coordinates alone of the first n, unless they are none. What is no coordinate stays.
+  void keep_only(const std::vector<Index>& chosen, Index n);
 };
 
 /// H(ω)⁻¹f over a grid of frequencies.
@@ -109,8 +112,10 @@ struct FrequencyReport {
   Labels labels;               ///< of the entries of q
   FrequencyResponse response;  ///< point by point
 
-  /// What is to be said of points of the grid that are on a mode, for people.
+  /// What is to be said of points of the grid that are on a mode, and of modes that may be missing, for people.
   std::vector<std::string> remarks() const;
+  /// Keeps those coordinates alone, unless they are none.
+  void keep_only(const std::vector<Index>& chosen);
 };
 
 /// The response to unbalance over speeds.

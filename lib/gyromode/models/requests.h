@@ -3,7 +3,9 @@
 #include "gyromode/appendage/parts.h"
 #include "gyromode/base/progress.h"
 #include "gyromode/motion/state.h"
+#include "gyromode/spectrum/window.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,19 +13,23 @@ namespace gyromode {
 
 /// A motion over time that is asked for.
 struct MotionRequest {
-  State initial;                  ///< q and q̇ at t = 0, n each
-  std::vector<Force> forces;      ///< on the coordinates
-  std::vector<BoomPoint> points;  ///< places on the booms of a spacecraft whose displacement is wanted too
-  Vector times;                   ///< s, ≥ 0, ascending
-  bool rates = false;             ///< velocities are to be written as well
-  Progress progress;              ///< told times or frequencies
+  State initial;                               ///< q and q̇ at t = 0, n each
+  std::vector<Force> forces;                   ///< on the coordinates
+  std::vector<BoomPoint> points;               ///< places on the booms of a spacecraft whose displacement is wanted too
+  Vector times;                                ///< s, ≥ 0, ascending
+  bool rates = false;                          ///< velocities are to be written as well
+  Progress progress;                           ///< told times or frequencies
+  std::vector<Index> chosen = {};              ///< coordinates that are wanted, ascending; empty: all
+  Window window = {};                          ///< large sparse models: of the modes that the motion is made of
+  std::optional<Index> lowest = std::nullopt;  ///< likewise: so many lowest ones
 };
 
 /// A response at steady frequencies that is asked for.
 struct FrequencyRequest {
-  Vector amplitude;   ///< f of f e^{jωt}, n
-  Vector grid;        ///< rad per unit of time, ascending
-  Progress progress;  ///< told frequencies
+  Vector amplitude;                ///< f of f e^{jωt}, n
+  Vector grid;                     ///< rad per unit of time, ascending
+  Progress progress;               ///< told frequencies
+  std::vector<Index> chosen = {};  ///< coordinates that are wanted, ascending; empty: all
 };
 
 /// A mass out of balance: mass times eccentricity at a place of a rotor.

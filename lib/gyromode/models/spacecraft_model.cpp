@@ -133,6 +133,7 @@ ResponseReport SpacecraftModel::response(const MotionRequest& request) const {
       "booms as {} elements of degree {} each, {} coordinates about the mass centre, which moves by itself; booms start undeformed",
       r.mesh().elements, r.mesh().degree, r.coordinates());
   add_facts(r, r.about_centre(), request, report);
+  report.keep_only(request.chosen, size());
   return report;
 }
 

@@ -3,10 +3,13 @@
 #include "gyromode/base/error.h"
 #include "gyromode/models/family_parameters.h"
 #include "gyromode/modes/modes.h"
+#include "gyromode/motion/windowed_motion.h"
 #include "gyromode/sparse/basis.h"
 #include "gyromode/sparse/matrix.h"
 #include "gyromode/sparse/partition.h"
 #include "gyromode/sparse/stiffness.h"
+
+#include <fmt/format.h>
 
 #include <utility>
 
@@ -15,6 +18,20 @@ namespace gyromode {
 namespace {
 
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
+
+// What the motion is made of, and what is not in it.
+std::string words_of(const WindowedMotion& m) {
+  const ModesResult& modes = m.modes();
+  std::string words = fmt::format("made of the {} modes below {:.6g} rad/s", m.modal().size(),
+                                  modes.coverage.window.open() && !m.modal().empty() ? m.modal().back().omega : modes.coverage.window.b);
+  if (modes.coverage.window.a > 0) words += fmt::format(" and from {:.6g} rad/s on", modes.coverage.window.a);
+  if (m.initial_energy() != 0)
+    words += fmt::format("; {:.3g} % of the energy of the initial motion is in others, and left out",
+                         100 * m.energy_left_out() / m.initial_energy());
+  if (m.free_under_steps()) words += "; what a step does to the body as a whole, and to other modes, is left out";
+  if (modes.coverage.status != CoverageStatus::complete) words += "; not certified to be all: " + modes.coverage.reason;
+  return words;
+}
 
 double largest_entry_of(const SparseMatrix& a) { return a.nonZeros() > 0 ? a.coeffs().cwiseAbs().maxCoeff() : 0; }
 
@@ -38,6 +55,36 @@ StructureReport SparseMatricesModel::structure(std::optional<double> at) const {
   r.checks.push_back({"scales", named(largest_entry_of)});
   r.checks.push_back({"entries", named([](const SparseMatrix& a) { return static_cast<double>(a.nonZeros()); })});
   return r;
+}
+
+ResponseReport SparseMatricesModel::response(const MotionRequest& request) const {
+  if (!request.points.empty()) throw InvalidArgument("--points are places on the booms of a spacecraft model");
+  if (request.times.size() == 0) throw InvalidArgument("a motion over no times was asked for");
+  ModesOptions modes;
+  modes.window = request.window;
+  modes.lowest = request.lowest;
+  modes.progress = request.progress;
+  const WindowedMotion motion(system_, request.initial, request.forces, modes, request.chosen);
+  ResponseReport report;
+  report.labels = request.chosen.empty() ? labels() : labels_at(labels(), request.chosen);
+  report.history = motion.at(request.times, request.progress);
+  const Vector& times = report.history.t;
+  if (times.size() == 0) throw Interrupted();
+  report.rates = request.rates;
+  report.modal = motion.modal();
+  report.stability = motion.modes().stability;
+  report.initial_energy = motion.initial_energy();
+  report.energy_left_out = motion.energy_left_out();
+  report.departure = motion.departure();
+  report.phase_error = motion.phase_error(times(times.size() - 1));
+  report.balance_closed = motion.modes().index_balance.closed;
+  report.remark = words_of(motion);
+  return report;
+}
+
+FrequencyReport SparseMatricesModel::frequency_response(const FrequencyRequest& request) const {
+  return {request.chosen.empty() ? labels() : labels_at(labels(), request.chosen),
+          gyromode::frequency_response(system_, request.amplitude, request.grid, request.chosen, true, request.progress)};
 }
 
 std::vector<std::string> SparseMatricesModel::doubts(bool) const {

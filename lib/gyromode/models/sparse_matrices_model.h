@@ -22,6 +22,11 @@ class SparseMatricesModel : public ModelKind {
   CountResult count(const Window& window) const override;
   std::vector<PlannedFactorisation> plan() const override { return plan_of(system_); }
   StructureReport structure(std::optional<double> at) const override;
+  void require_motion() const override {}
+  /// In the modes of the window asked for.
+  ResponseReport response(const MotionRequest& request) const override;
+  /// By one factorisation a frequency.
+  FrequencyReport frequency_response(const FrequencyRequest& request) const override;
   std::vector<std::string> doubts(bool fixed_axes) const override;
 
  private:

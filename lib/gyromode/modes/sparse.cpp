@@ -1,20 +1,14 @@
 // Modes of sparse systems.
 #include "gyromode/base/error.h"
-#include "gyromode/lapack/team.h"
 #include "gyromode/modes/answer.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/sparse_spectrum.h"
+#include "gyromode/sparse/blas_threads.h"
 #include "gyromode/sparse/matrix.h"
 
 namespace gyromode {
 
 namespace {
-
-// Threads of the BLAS gain nothing in the small fronts of a mesh (theory sparse §1).
-std::unique_ptr<lapack::BlasOnOneThread> few_threads(Index n) {
-  constexpr Index large_fronts = 300000;
-  return n < large_fronts ? std::make_unique<lapack::BlasOnOneThread>() : nullptr;
-}
 
 // Where motions of negative energy are too many to be looked for one by one the dense engine has all of them.
 bool serves_dense(const SparseSystem& s) {
@@ -33,7 +27,7 @@ ModesResult find_modes(const SparseSystem& system, const ModesOptions& options) 
   if (!options.keep.empty()) throw NotApplicable("--keep serves dense matrices");
   if (options.method != Method::automatic)
     throw NotApplicable("a sparse model has one method, 'auto': the others serve dense matrices and spacecraft");
-  const auto threads = few_threads(system.size());
+  const auto threads = sparse::few_blas_threads(system.size());
   const SparseSpectrum spectrum(system, options.progress);
   if (!spectrum.balance().closed && serves_dense(system)) return find_modes(dense_of(system), options);
   return modes_of(spectrum, options);
@@ -41,7 +35,7 @@ ModesResult find_modes(const SparseSystem& system, const ModesOptions& options) 
 
 CountResult count_modes(const SparseSystem& system, const Window& window) {
   require_window(window);
-  const auto threads = few_threads(system.size());
+  const auto threads = sparse::few_blas_threads(system.size());
   const SparseSpectrum spectrum(system);
   if (!spectrum.balance().closed && serves_dense(system)) return count_modes(dense_of(system), window);
   return count_of(spectrum, window);

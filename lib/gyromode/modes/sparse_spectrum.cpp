@@ -48,10 +48,6 @@ RootRange SparseSpectrum::range_of(SparseModes modes, bool from_zero) const {
   return r;
 }
 
-ComplexVector SparseSpectrum::in_given(const ComplexVector& shape) const {
-  return system_.basis() ? sparse::in_given(*system_.basis(), shape) : shape;
-}
-
 Mode SparseSpectrum::mode_of(const sparse::RitzMode& m, bool with_shape) const {
   Mode mode;
   mode.omega = m.omega;
@@ -60,7 +56,7 @@ Mode SparseSpectrum::mode_of(const sparse::RitzMode& m, bool with_shape) const {
   mode.error_bound = m.error_bound;
   if (system_.basis()) mode.residual += system_.basis()->departure;
   if (with_shape) {
-    const ComplexVector shape = in_given(m.shape);
+    const ComplexVector shape = sparse::in_given(system_, m.shape);
     mode.form = m.form / std::norm(largest_entry(shape));
     mode.shape = normalised(shape);
   }
@@ -81,7 +77,7 @@ Mode SparseSpectrum::zero_mode(Index which, bool with_shape) const {
     shape = free.n.col(k);
   }
   mode.residual = sparse::symmetric_times(system_.stiffness(), shape).norm() / (searches_.norms().k * shape.norm());
-  if (with_shape) mode.shape = normalised(in_given(shape.cast<Complex>()));
+  if (with_shape) mode.shape = normalised(sparse::in_given(system_, shape.cast<Complex>()));
   return mode;
 }
 
@@ -100,7 +96,7 @@ void SparseSpectrum::describe(ModesResult& r, bool with_shapes) const {
   for (const sparse::RitzMode& m : balance_.negative()) r.negative_modes.push_back(mode_of(m, with_shapes));
   for (const sparse::RitzUnstable& u : balance_.unstable()) {
     r.unstable.push_back({u.lambda.real(), u.lambda.imag(), u.residual, u.error_bound, {}});
-    if (with_shapes) r.unstable.back().shape = normalised(in_given(u.shape));
+    if (with_shapes) r.unstable.back().shape = normalised(sparse::in_given(system_, u.shape));
   }
 }
 

@@ -21,7 +21,16 @@ struct DrivenSweep {
 
  private:
   FrequencyPoint point(double at) const;
-  void show(const DrivenMode& pole, const Vector& grid, FrequencyResponse& r) const;
+  struct Wanted {
+    double at;
+    const DrivenMode* beside;  // the resonance that it is put beside; null on the grid
+  };
+  std::vector<Wanted> wanted(const Vector& grid, bool resolve) const;
 };
+
+/// Throws InvalidArgument unless the force has n finite numbers and the grid finite frequencies ≥ 0 that ascend.
+void require_sweep(const Vector& force, const Vector& grid, Index n);
+/// Without those beyond the ends of the grid.
+std::vector<DrivenMode> within(const Vector& grid, std::vector<DrivenMode> poles);
 
 }  // namespace gyromode

@@ -1,12 +1,9 @@
 #include "gyromode/motion/frequency_response.h"
 
-#include "gyromode/base/error.h"
 #include "gyromode/lapack/indefinite.h"
 #include "gyromode/system/scale.h"
 #include "gyromode/motion/driven_modes.h"
 #include "gyromode/motion/driven_sweep.h"
-
-#include <fmt/format.h>
 
 #include <cmath>
 
@@ -14,21 +11,9 @@ namespace gyromode {
 
 namespace {
 
-void require(const Vector& force, const Vector& grid, Index n) {
-  if (force.size() != n) throw InvalidArgument(fmt::format("force: {} numbers where the system has {} coordinates", force.size(), n));
-  if (!force.allFinite() || !grid.allFinite()) throw InvalidArgument("force and grid must be finite");
-  for (Index k = 0; k < grid.size(); ++k) {
-    if (!(grid(k) >= 0)) throw InvalidArgument(fmt::format("grid: a frequency of {:g} where ω ≥ 0 was expected", grid(k)));
-    if (k > 0 && !(grid(k) > grid(k - 1)))
-      throw InvalidArgument(fmt::format("grid: {:.17g} after {:.17g} where ascending frequencies were expected", grid(k), grid(k - 1)));
-  }
-}
-
 std::vector<DrivenMode> modes_in(const System& system, const Vector& force, const Vector& grid) {
   const UnitMasses units = with_unit_masses(system);
-  std::vector<DrivenMode> all = driven_modes(solve_components(units.system, Method::automatic), units, units.scale.cwiseProduct(force));
-  std::erase_if(all, [&](const DrivenMode& m) { return m.omega + m.error < grid(0) || m.omega - m.error > grid(grid.size() - 1); });
-  return all;
+  return within(grid, driven_modes(solve_components(units.system, Method::automatic), units, units.scale.cwiseProduct(force)));
 }
 
 ComplexVector solved(const System& system, const Vector& force, double omega) {
@@ -59,7 +44,7 @@ std::vector<double> FrequencyResponse::resonances() const {
 
 FrequencyResponse frequency_response(const System& system, const Vector& force, const Vector& grid, bool resolve,
                                      const Progress& progress) {
-  require(force, grid, system.size());
+  require_sweep(force, grid, system.size());
   if (grid.size() == 0) return {};
   DrivenSweep sweep;
   sweep.solved = [&](double omega) { return solved(system, force, omega); };

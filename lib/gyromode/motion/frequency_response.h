@@ -2,6 +2,8 @@
 
 #include "gyromode/base/progress.h"
 #include "gyromode/base/types.h"
+#include "gyromode/sparse/sparse_system.h"
+#include "gyromode/spectrum/result.h"
 #include "gyromode/system/system.h"
 
 #include <optional>
@@ -46,6 +48,8 @@ struct FrequencyResponse {
   std::vector<FrequencyPoint> points;  ///< ascending in ω
   std::vector<DrivenMode> modes;       ///< those in the range of the grid, driven or not
   bool interrupted = false;            ///< work was stopped: frequencies of the grid from some on are left out
+  /// of a sparse system, whose modes are searched window by window: whether all of the range are known
+  std::optional<Coverage> coverage;
 
   std::vector<double> resonances() const;  ///< frequencies of the modes that the force drives, however weakly
 };
@@ -55,5 +59,9 @@ struct FrequencyResponse {
 /// "frequencies". Throws InvalidArgument where sizes do not fit, the grid does not ascend, or a number is not finite.
 FrequencyResponse frequency_response(const System& system, const Vector& force, const Vector& grid, bool resolve = true,
                                      const Progress& progress = {});
+/// The same of a sparse system: its modes in the range are those of find_modes(); the entries of q are the coordinates
+/// `chosen`, all where it is empty. Throws also what find_modes() throws.
+FrequencyResponse frequency_response(const SparseSystem& system, const Vector& force, const Vector& grid, const std::vector<Index>& chosen,
+                                     bool resolve = true, const Progress& progress = {});
 
 }  // namespace gyromode

@@ -18,7 +18,9 @@ struct Basis {
   std::string in_words;                       ///< of the symmetry
 };
 
-/// A shape in q.
-ComplexVector in_given(const Basis& basis, const ComplexVector& p);
+/// q = Q p; the same where the system is written in the coordinates given.
+ComplexVector in_given(const SparseSystem& system, const ComplexVector& p);
+/// p = Qᵀq of columns.
+Matrix from_given(const SparseSystem& system, const Matrix& q);
 
 }  // namespace gyromode::sparse

@@ -35,7 +35,7 @@ class ShiftedImpedance {
 
   /// Of its pattern, for estimates: nothing is factored.
   std::unique_ptr<const SymmetricFactor> analysed() const;
-  /// H(σ), σ > 0, factored, to count and to solve with. The last two are kept.
+  /// H(σ), σ ≥ 0, factored, to count and to solve with. The last two are kept.
   std::shared_ptr<const ShiftedFactor> at(double sigma) const;
 
  private:

@@ -1,0 +1,94 @@
+// Steady response of sparse systems.
+#include "gyromode/modes/modes.h"
+#include "gyromode/motion/driven_runs.h"
+#include "gyromode/motion/driven_sweep.h"
+#include "gyromode/motion/frequency_response.h"
+#include "gyromode/motion/steady_solver.h"
+#include "gyromode/sparse/basis.h"
+#include "gyromode/sparse/blas_threads.h"
+#include "gyromode/sparse/matrix.h"
+
+#include "gyromode/base/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gyromode {
+
+namespace {
+
+// |Xᴴf|² / XᴴMX; a mode whose every coordinate that is pushed has exactly 0 is not met.
+PoleMet met_at(double omega, double error, const SparseSystem& s, const ComplexVector& shape, const Vector& force) {
+  Matrix x(shape.size(), 2);
+  x << shape.real(), shape.imag();
+  const Matrix p = sparse::from_given(s, x);
+  const double mass = p.cwiseProduct(sparse::symmetric_times(s.mass(), p)).sum();
+  return {omega, error, std::norm(shape.dot(force.cast<Complex>())) / mass, shape.cwiseAbs().dot(force.cwiseAbs()) > 0};
+}
+
+// Modes in and about the range, ascending: those a little beyond tell how well shapes near its ends are known.
+ModesResult modes_about(const SparseSystem& s, const Vector& grid, const Progress& progress) {
+  constexpr double beyond = 0.1;
+  const double first = grid(0), last = grid(grid.size() - 1);
+  ModesOptions options;
+  options.shapes = true;
+  options.progress = progress;
+  options.window = {(1 - beyond) * first, (1 + beyond) * last};
+  if (last == 0) {
+    options.window = {};
+    options.lowest = 1;
+  }
+  return find_modes(s, options);
+}
+
+std::vector<DrivenMode> poles_of(const SparseSystem& s, const ModesResult& found, const Vector& force, double whole) {
+  std::vector<PoleMet> poles;
+  for (Index k = 0; k < s.translations().cols(); ++k) {  // a double root at the spin, which is no mode
+    const Vector t = s.translations().col(k);
+    const double stiff = t.dot(sparse::symmetric_times(s.stiffness(), Matrix(t)).col(0));
+    const double omega = std::sqrt(std::abs(stiff / t.dot(sparse::symmetric_times(s.mass(), Matrix(t)).col(0))));
+    poles.push_back(met_at(omega, 1e-7 * omega, s, sparse::in_given(s, t.cast<Complex>()), force));
+  }
+  std::vector<DrivenMode> rest;
+  for (const Mode& m : found.modes) {
+    const PoleMet p = met_at(m.omega, m.error_bound + 4 * epsilon * m.omega, s, m.shape, force);
+    if (m.omega > 0) {
+      poles.push_back(p);
+      continue;
+    }
+    constexpr double resolution = 1e-10;
+    const double participation = whole > 0 ? std::sqrt(p.work2) / whole : 0;
+    const DrivenMode zero{0, 0, participation, resolution, judged(p.met, participation, resolution)};
+    if (rest.empty() || zero.participation > rest.front().participation) rest.assign(1, zero);
+  }
+  std::stable_sort(poles.begin(), poles.end(), [](const PoleMet& a, const PoleMet& b) { return a.at < b.at; });
+  const std::vector<DrivenMode> all = judged(poles, {whole, whole, s.size()});
+  rest.insert(rest.end(), all.begin(), all.end());
+  return rest;
+}
+
+}  // namespace
+
+FrequencyResponse frequency_response(const SparseSystem& system, const Vector& force, const Vector& grid, const std::vector<Index>& chosen,
+                                     bool resolve, const Progress& progress) {
+  require_sweep(force, grid, system.size());
+  if (grid.size() == 0) return {};
+  const ModesResult found = modes_about(system, grid, progress);
+  const auto threads = sparse::few_blas_threads(system.size());
+  const SteadySolver solver(system);
+  const ComplexVector f = sparse::from_given(system, force).col(0).cast<Complex>();
+  const auto seen = [&](const ComplexVector& p) {
+    const ComplexVector q = sparse::in_given(system, p);
+    return chosen.empty() ? q : ComplexVector(q(chosen));
+  };
+  DrivenSweep sweep;
+  sweep.solved = [&](double omega) { return seen(solver.at(omega, f)); };
+  sweep.limit = [&](double omega) { return seen(solver.beside(omega, f)); };
+  sweep.poles = within(grid, poles_of(system, found, force, solver.size_of(f.real())));
+  sweep.progress_of = "frequencies";
+  FrequencyResponse r = sweep.over(grid, resolve, progress);
+  r.coverage = found.coverage;
+  return r;
+}
+
+}  // namespace gyromode
