@@ -57,6 +57,7 @@ bool SparseLowest::close_at_rest(const SparseModes& low, Index wanted) const {
   }
   if (below == 0) return false;
   progress_.stage("counts of the modes at rest");
+  searches_.release_stiffness();  // the counts take as much again
   if (sparse::negative_at_rest(system_, searches_.groups(), sigma * (sigma + gamma)) != below + counts_.at_zero()) return false;
   counts_.know_below(sigma, low);
   return true;

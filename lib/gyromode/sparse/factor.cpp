@@ -47,7 +47,6 @@ SymmetricFactor::SymmetricFactor(const SparseMatrix& pattern, const std::vector<
   m.run(job_begin);
   for (const int stream : {1, 2, 3, 4}) m.control(stream) = 0;  // silent
   m.control(7) = 1;                                             // the order given
-  m.control(14) = 30;                                           // % of workspace more than estimated, for pivoting
   m.control(31) = keep == Keep::counts ? 1 : 0;
   m.rows.reserve(static_cast<std::size_t>(non_zeros_));
   m.columns.reserve(static_cast<std::size_t>(non_zeros_));
@@ -84,8 +83,9 @@ Index SymmetricFactor::factor(const SparseMatrix& lower) {
   Instance& m = *of_;
   m.values.assign(lower.valuePtr(), lower.valuePtr() + lower.nonZeros());
   m.mumps.a = m.values.data();
-  constexpr int most_workspace = 1000;
-  for (int percent = 30;; percent *= 3) {
+  // % of workspace more than estimated: pivoting needs it.
+  constexpr int most_workspace = 1000, without_pivoting = 3, with_pivoting = 30;
+  for (int percent = m.mumps.sym == 1 ? without_pivoting : with_pivoting;; percent *= 3) {
     m.control(14) = percent;
     m.run(job_factorise);
     if (!wants_more_workspace(m.status()) || percent > most_workspace) break;

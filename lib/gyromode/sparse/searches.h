@@ -32,6 +32,11 @@ class Searches {
   Search& about_zero(Index wanted) const;
   /// Forgets it: it makes room.
   void release_zero() const { at_zero_.reset(); }
+  /// Forgets also the factors of K, which are made again where they are needed.
+  void release_stiffness() const {
+    release_zero();
+    stiffness_.release();
+  }
   /// Which operator that is, for people.
   std::string in_words() const;
 

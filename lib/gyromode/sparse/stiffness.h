@@ -33,18 +33,22 @@ class StiffnessFactors {
   /// NᵀMX = 0, KX = B − MN(NᵀB). n × m
   Matrix solve(Index block, const Matrix& b) const;
   /// The same of the rows of that block alone, which is not singular.
-  Matrix solve_block(Index block, Matrix b) const { return blocks_[static_cast<std::size_t>(block)].factor->solve(std::move(b)); }
+  Matrix solve_block(Index block, Matrix b) const { return factor_of(blocks_[static_cast<std::size_t>(block)]).solve(std::move(b)); }
+  /// Forgets the factors, which makes room; a solve that needs one factors again.
+  void release() const;
 
  private:
   struct Block {
     std::vector<Index> rows;
     bool across = false;
     SparseMatrix mass;
-    std::unique_ptr<SymmetricFactor> factor;  // of K, or of K − νM where K is singular
+    SymmetricFactor::Kind kind = SymmetricFactor::Kind::definite;
+    mutable std::unique_ptr<SymmetricFactor> factor;  // of K, or of K − νM where K is singular
     Index negative = 0;
     NullSpace null_space;
   };
-  static Matrix solve_singular(const Block& of, const Matrix& b);
+  SymmetricFactor& factor_of(const Block& of) const;
+  Matrix solve_singular(const Block& of, const Matrix& b) const;
   const SparseSystem& system_;
   std::vector<Block> blocks_;
 };
