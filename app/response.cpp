@@ -2,6 +2,7 @@
 #include "job.h"
 #include "grids.h"
 #include "load.h"
+#include "response_options.h"
 #include "verbs.h"
 
 #include "gyromode/base/error.h"
@@ -10,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -18,19 +18,7 @@ namespace gyromode::app {
 
 namespace {
 
-struct Options {
-  ModelSource source;
-  OutputOption output;
-  WindowOption window;
-  std::optional<Index> lowest;
-  std::string initial, times, frequencies, only;
-  std::optional<std::string> until, step;
-  std::vector<std::string> forces, points, unbalances;
-  std::string spin;
-  bool rates = false;
-};
-
-Vector times_of(const Options& o) {
+Vector times_of(const ResponseOptions& o) {
   if (!o.times.empty()) {
     if (o.until || o.step) throw UsageError("--times gives the times by itself: leave out --until and --step");
     return io::read_times(o.times);
@@ -39,39 +27,7 @@ Vector times_of(const Options& o) {
   return time_grid(time_option("--until", *o.until), time_option("--step", *o.step));
 }
 
-bool large(const Model& m) { return !m.body->finite() && !m.body->transcendental(); }
-
-// The coordinates of --only; of a large model otherwise those that something drives.
-std::vector<Index> chosen_of(const Options& o, const Model& m, const std::vector<const Vector*>& driving) {
-  if (!o.only.empty()) return coordinates_of("--only", o.only, m.labels());
-  if (!large(m)) return {};
-  constexpr std::size_t most = 200;
-  std::vector<Index> driven;
-  for (Index i = 0; i < m.size(); ++i) {
-    if (std::any_of(driving.begin(), driving.end(), [&](const Vector* v) { return (*v)(i) != 0; })) driven.push_back(i);
-  }
-  if (driven.empty() || driven.size() > most)
-    throw UsageError(fmt::format("which of the {} coordinates are wanted? --only LABEL,LABEL,… names them", m.size()));
-  o.output.say(fmt::format("shown are what is driven, {} of {} coordinates: --only LABEL,LABEL,… names others", driven.size(), m.size()));
-  return driven;
-}
-
-constexpr Index lowest_of_large = 10;
-
-// A motion of a large model is made of some of its modes; of others all take part.
-void choose_modes(const Options& o, const Model& m, MotionRequest& request) {
-  if (!large(m)) {
-    if (o.window.given() || o.lowest)
-      throw UsageError("--lowest, --below and --window are for large sparse models: this motion is made of all modes");
-    return;
-  }
-  request.window = o.window.read();
-  request.lowest = o.window.given() ? o.lowest : o.lowest.value_or(lowest_of_large);
-  if (o.window.given() && request.window.open())
-    throw UsageError("--window: a large sparse model is searched window by window; the upper end is needed");
-}
-
-ResponseReport moved(const Model& m, const Options& o, const Progress& progress) {
+ResponseReport moved(const Model& m, const ResponseOptions& o, const Progress& progress) {
   m.body->require_motion();
   const State start = o.initial.empty() ? State::rest(m.size()) : io::read_initial_state(o.initial, m.labels());
   MotionRequest request{start, forces_of(o.forces, m.labels()), points_of(o.points), times_of(o), o.rates, progress};
@@ -82,20 +38,20 @@ ResponseReport moved(const Model& m, const Options& o, const Progress& progress)
   return m.response(request);
 }
 
-FrequencyReport swept(const Model& m, const Options& o, const Progress& progress) {
+FrequencyReport swept(const Model& m, const ResponseOptions& o, const Progress& progress) {
   FrequencyRequest request{amplitude_of(o.forces, m.labels()), frequency_grid("--frequencies", o.frequencies), progress};
   request.chosen = chosen_of(o, m, {&request.amplitude});
   return m.frequency_response(request);
 }
 
 // Those of --spin, else that of the model.
-Vector speeds_of(const Options& o, const Model& m) {
+Vector speeds_of(const ResponseOptions& o, const Model& m) {
   if (!o.spin.empty()) return frequency_grid("--spin", o.spin);
   if (!m.spin) throw UsageError("--unbalance needs speeds: --spin A:B:N, such as 0:6000rpm:200");
   return Vector::Constant(1, std::abs(*m.spin));
 }
 
-ExitCode run_unbalance(const Options& o) {
+ExitCode run_unbalance(const ResponseOptions& o) {
   if (!o.initial.empty() || o.until || o.step || !o.times.empty() || !o.points.empty() || !o.forces.empty() || !o.frequencies.empty())
     throw UsageError("--unbalance is the steady response over speeds: it goes with --spin A:B:N, and no forces, frequencies or times");
   UnbalanceRequest request;
@@ -111,8 +67,8 @@ ExitCode run_unbalance(const Options& o) {
   return report.response.interrupted ? job.interrupted() : ExitCode::done;
 }
 
-ExitCode run(const Options& given) {
-  Options o = given;
+ExitCode run(const ResponseOptions& given) {
+  ResponseOptions o = given;
   o.output.pictures = true;
   if (!o.unbalances.empty()) return run_unbalance(o);
   if (!o.spin.empty()) throw UsageError("--spin goes with --unbalance PLACE=UNBALANCE");
@@ -147,7 +103,7 @@ ExitCode run(const Options& given) {
 void add_response(CLI::App& program, int& code) {
   CLI::App* verb = program.add_subcommand(
       "response", "Motion over time from initial conditions and forces, mode by mode; or the steady response to forces, or to unbalance");
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ResponseOptions>();
   o->source.add_to(*verb);
   verb->add_option("--initial", o->initial, "Initial displacements and velocities: CSV with the columns label,q,qdot")
       ->type_name("FILE.csv");

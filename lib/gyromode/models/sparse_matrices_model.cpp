@@ -28,6 +28,7 @@ std::string words_of(const WindowedMotion& m) {
   if (m.initial_energy() != 0)
     words += fmt::format("; {:.3g} % of the energy of the initial motion is in others, and left out",
                          100 * m.energy_left_out() / m.initial_energy());
+  if (m.with_steady_parts()) words += "; what lasting forces do to others is their steady part, there from t = 0 on";
   if (m.free_under_steps()) words += "; what a step does to the body as a whole, and to other modes, is left out";
   if (modes.coverage.status != CoverageStatus::complete) words += "; not certified to be all: " + modes.coverage.reason;
   return words;

@@ -108,6 +108,10 @@ void WindowedMotion::start(const SparseSystem& system, const State& w) {
   found_.drop_shapes();
 }
 
+bool WindowedMotion::with_steady_parts() const {
+  return std::any_of(lasting_.begin(), lasting_.end(), [](const Lasting& f) { return f.remainder.size() > 0; });
+}
+
 State WindowedMotion::at(double t) const {
   if (!(t >= 0) || !std::isfinite(t)) throw InvalidArgument(fmt::format("a motion from initial conditions at t = 0 has no time {}", t));
   const Complex j(0, 1);

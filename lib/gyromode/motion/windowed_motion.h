@@ -30,7 +30,9 @@ class WindowedMotion {
   double departure() const { return departure_; }
   /// rad: error bounds of the frequencies of modes with more than 10⁻⁶ of the motion, times t.
   double phase_error(double t) const { return phase_drift_ * t; }
-  /// Whether a step has no steady part beyond the modes: the body is free.
+  /// Whether a lasting force has a steady part beyond the modes, which is there from t = 0 on.
+  bool with_steady_parts() const;
+  /// Whether a step has none: the body is free.
   bool free_under_steps() const { return free_under_steps_; }
 
  private:
