@@ -33,6 +33,10 @@ struct ModelSource {
   void name_matrices(MatrixFiles& files) const;
 };
 
+/// Modes that are found where neither a window nor a number is given of a model that has infinitely many, or is
+/// searched window by window.
+constexpr Index lowest_by_default = 10;
+
 /// A window of frequencies, as [--below W | --window A:B].
 struct WindowOption {
   std::optional<std::string> below, window;

@@ -33,8 +33,6 @@ struct Options {
   SensitivityOption sensitivity;
 };
 
-constexpr Index lowest_of_infinitely_many = 10;
-
 // Of a spacecraft, which has infinitely many modes, and of a large sparse model, how many of them.
 void bound(ModesOptions& options, const Options& o, bool transcendental) {
   const char* why =
@@ -42,7 +40,7 @@ void bound(ModesOptions& options, const Options& o, bool transcendental) {
   if (o.all) throw UsageError(fmt::format("--all: {}; give --below W, --window A:B or --lowest N", why));
   if (options.lowest) return;
   if (!o.window.given())
-    options.lowest = lowest_of_infinitely_many;
+    options.lowest = lowest_by_default;
   else if (options.window.open())
     throw UsageError(fmt::format("--window: {}; the upper end is needed", why));
 }

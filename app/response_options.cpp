@@ -13,8 +13,6 @@ namespace gyromode::app {
 
 namespace {
 
-constexpr Index lowest_of_large = 10;
-
 bool large(const Model& m) { return !m.body->finite() && !m.body->transcendental(); }
 
 }  // namespace
@@ -40,7 +38,7 @@ void choose_modes(const ResponseOptions& o, const Model& m, MotionRequest& reque
     return;
   }
   request.window = o.window.read();
-  request.lowest = o.window.given() ? o.lowest : o.lowest.value_or(lowest_of_large);
+  request.lowest = o.window.given() ? o.lowest : o.lowest.value_or(lowest_by_default);
   if (o.window.given() && request.window.open())
     throw UsageError("--window: a large sparse model is searched window by window; the upper end is needed");
 }

@@ -131,6 +131,33 @@ TEST(SparseResponse, OverTimeInAllModesIsThatOfTheDenseEngine) {
   }
 }
 
+// Slow modes of both energy signs beside fast ones: a projection has to be repeated on what it leaves.
+TEST(SparseResponse, OverTimeOfWhatSpinStabilisesIsThatOfTheDenseEngine) {
+  support::Source source{std::mt19937_64(20261130)};
+  for (const double spin : {8.0, 1024.0, 32768.0}) {
+    Held c{Matrix::Identity(5, 5), Matrix::Zero(5, 5), Matrix::Zero(5, 5)};
+    c.k.diagonal() << -6, -5, 2, 3, 4;
+    c.k(2, 4) = c.k(4, 2) = -1;
+    for (const Index i : {0, 2}) {
+      c.g(i, i + 1) = spin;
+      c.g(i + 1, i) = -spin;
+    }
+    const State start{any(source, 5), any(source, 5)};
+    for (const State& from : {start, State::rest(5)}) {
+      const std::vector<Force> forces{{Force::Course::harmonic, any(source, 5), 0.7}, {Force::Course::step, any(source, 5), 0}};
+      const Response dense(System(c.m, c.g, c.k), from, forces);
+      ModesOptions all;
+      all.window.b = 1e8;
+      const WindowedMotion m(sparse_of(c), from, forces, all, {});
+      ASSERT_EQ(m.modes().coverage.status, CoverageStatus::complete) << spin;
+      EXPECT_EQ(m.modes().stability, Stability::gyroscopically_stabilised) << spin;
+      EXPECT_LT(m.departure(), 1e-12) << spin;
+      const State a = m.at(5), b = dense.at(5);
+      EXPECT_LT((a.q - b.q).norm(), (1e-9 + m.phase_error(5) + dense.phase_error(5)) * b.q.norm()) << spin;
+    }
+  }
+}
+
 // In some of them what is slow is right but for what they leave out, and that is stated.
 TEST(SparseResponse, OverTimeInSomeModesStatesWhatIsLeftOut) {
   support::Source source{std::mt19937_64(20261129)};

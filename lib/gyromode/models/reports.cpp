@@ -10,6 +10,8 @@ std::vector<std::string> ResponseReport::doubts() const {
   constexpr double loose = 1e-6;  // of the motion; rad
   std::vector<std::string> all;
   if (!balance_closed) all.emplace_back("the index balance does not close, so some motion may be missing");
+  if (coverage && coverage->status != CoverageStatus::complete)
+    all.push_back("the modes of the window may not be all: " + coverage->reason);
   if (!(departure <= loose)) {
     all.push_back(fmt::format(
         "the parts add up to what sets them in motion to {:.1e} only: modes so close to each other are not told apart", departure));

@@ -97,11 +97,12 @@ struct ResponseReport {
   std::optional<double> energy_left_out;     ///< of a large sparse model: in modes beyond those of the window
   double departure = 0;                      ///< of the decomposition, relative
   double phase_error = 0;                    ///< rad, at the last time
+  std::optional<Coverage> coverage;          ///< of a large sparse model: whether the modes of the window are all
   bool balance_closed = false;               ///< whether the roots account for all of the motion
   std::string remark;                        ///< for people; may be empty
 
-  /// Why the motion is not certified, for people; empty where it is: the balance closes, departure and phase error are
-  /// up to 10⁻⁶.
+  /// Why the motion is not certified, for people; empty where it is: the balance closes, the modes of a window are all,
+  /// departure and phase error are up to 10⁻⁶.
   std::vector<std::string> doubts() const;
   /// Keeps those coordinates alone of the first n, unless they are none. What is no coordinate stays.
   void keep_only(const std::vector<Index>& chosen, Index n);

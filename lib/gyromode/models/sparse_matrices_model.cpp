@@ -2,6 +2,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/models/family_parameters.h"
+#include "gyromode/models/response_facts.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/motion/windowed_motion.h"
 #include "gyromode/sparse/basis.h"
@@ -30,7 +31,6 @@ std::string words_of(const WindowedMotion& m) {
                          100 * m.energy_left_out() / m.initial_energy());
   if (m.with_steady_parts()) words += "; what lasting forces do to others is their steady part, there from t = 0 on";
   if (m.free_under_steps()) words += "; what a step does to the body as a whole, and to other modes, is left out";
-  if (modes.coverage.status != CoverageStatus::complete) words += "; not certified to be all: " + modes.coverage.reason;
   return words;
 }
 
@@ -60,7 +60,6 @@ StructureReport SparseMatricesModel::structure(std::optional<double> at) const {
 
 ResponseReport SparseMatricesModel::response(const MotionRequest& request) const {
   if (!request.points.empty()) throw InvalidArgument("--points are places on the booms of a spacecraft model");
-  if (request.times.size() == 0) throw InvalidArgument("a motion over no times was asked for");
   ModesOptions modes;
   modes.window = request.window;
   modes.lowest = request.lowest;
@@ -68,16 +67,11 @@ ResponseReport SparseMatricesModel::response(const MotionRequest& request) const
   const WindowedMotion motion(system_, request.initial, request.forces, modes, request.chosen);
   ResponseReport report;
   report.labels = request.chosen.empty() ? labels() : labels_at(labels(), request.chosen);
-  report.history = motion.at(request.times, request.progress);
-  const Vector& times = report.history.t;
-  if (times.size() == 0) throw Interrupted();
-  report.rates = request.rates;
-  report.modal = motion.modal();
+  add_motion(motion, request, report);
   report.stability = motion.modes().stability;
   report.initial_energy = motion.initial_energy();
   report.energy_left_out = motion.energy_left_out();
-  report.departure = motion.departure();
-  report.phase_error = motion.phase_error(times(times.size() - 1));
+  report.coverage = motion.modes().coverage;
   report.balance_closed = motion.modes().index_balance.closed;
   report.remark = words_of(motion);
   return report;

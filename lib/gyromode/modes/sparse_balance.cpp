@@ -2,6 +2,7 @@
 
 #include "gyromode/base/error.h"
 #include "gyromode/modes/sparse_modes.h"
+#include "gyromode/sparse/matrix.h"
 #include "gyromode/sparse/subspace.h"
 
 #include <fmt/format.h>
@@ -13,12 +14,6 @@ namespace gyromode {
 namespace {
 
 constexpr Index most_negative = 300;  // of n₋(K): so many motions are looked for, one by one
-
-Matrix parts_of(const ComplexVector& shape) {
-  Matrix parts(shape.size(), 2);
-  parts << shape.real(), shape.imag();
-  return parts;
-}
 
 }  // namespace
 
@@ -67,8 +62,8 @@ void SparseBalance::close(const Progress& progress) {
 void SparseBalance::close_farther(double farthest, const Progress& progress) {
   sparse::Subspace shapes(system_, searches_.groups(), searches_.free());
   const auto keep = [&] {
-    for (const sparse::RitzMode& m : negative_) shapes.add(parts_of(m.shape));
-    for (const sparse::RitzUnstable& u : unstable_) shapes.add(parts_of(u.shape));
+    for (const sparse::RitzMode& m : negative_) shapes.add(sparse::parts_of(m.shape));
+    for (const sparse::RitzUnstable& u : unstable_) shapes.add(sparse::parts_of(u.shape));
   };
   keep();
   sparse::Goal goal;

@@ -1,26 +1,14 @@
 #include "gyromode/motion/response.h"
 
-#include "gyromode/base/error.h"
 #include "gyromode/lapack/triangular.h"
 #include "gyromode/motion/component_motion.h"
 #include "gyromode/motion/history.h"
 #include "gyromode/motion/unit_masses.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 namespace gyromode {
-
-namespace {
-
-void require(const Vector& v, Index n, const char* what) {
-  if (v.size() != n) throw InvalidArgument(fmt::format("{}: {} numbers where the system has {} coordinates", what, v.size(), n));
-  if (!v.allFinite()) throw InvalidArgument(fmt::format("{}: not finite", what));
-}
-
-}  // namespace
 
 Response::~Response() = default;
 Response::Response(Response&&) noexcept = default;
@@ -28,14 +16,14 @@ Response::Response(Response&&) noexcept = default;
 Response::Response(const System& system, const State& initial, const std::vector<Force>& forces)
     : units_(std::make_unique<const UnitMasses>(with_unit_masses(system))), start_(initial) {
   const Index n = system.size();
-  require(initial.q, n, "initial displacements");
-  require(initial.qdot, n, "initial velocities");
+  require_coordinates(initial.q, n, "initial displacements");
+  require_coordinates(initial.qdot, n, "initial velocities");
   const lapack::Cholesky mass(units_->system.mass());
   State start = in_units(initial);
   std::vector<Vector> pushes;
   std::vector<double> frequencies;
   for (const Force& f : forces) {
-    require(f.amplitude, n, "force");
+    require_coordinates(f.amplitude, n, "force");
     const Vector push = mass.solve(units_->scale.cwiseProduct(f.amplitude));
     if (f.course == Force::Course::impulse) {
       start.qdot += push;
@@ -78,7 +66,7 @@ void Response::judge(std::size_t k) {
 }
 
 State Response::at(double t) const {
-  if (!(t >= 0) || !std::isfinite(t)) throw InvalidArgument(fmt::format("a motion from initial conditions at t = 0 has no time {}", t));
+  require_time(t);
   if (t == 0) return start_;
   const Index n = units_->scale.size();
   State w = State::rest(n);

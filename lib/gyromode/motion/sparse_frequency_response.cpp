@@ -19,9 +19,7 @@ namespace {
 
 // |Xᴴf|² / XᴴMX; a mode whose every coordinate that is pushed has exactly 0 is not met.
 PoleMet met_at(double omega, double error, const SparseSystem& s, const ComplexVector& shape, const Vector& force) {
-  Matrix x(shape.size(), 2);
-  x << shape.real(), shape.imag();
-  const Matrix p = sparse::from_given(s, x);
+  const Matrix p = sparse::from_given(s, sparse::parts_of(shape));
   const double mass = p.cwiseProduct(sparse::symmetric_times(s.mass(), p)).sum();
   return {omega, error, std::norm(shape.dot(force.cast<Complex>())) / mass, shape.cwiseAbs().dot(force.cwiseAbs()) > 0};
 }

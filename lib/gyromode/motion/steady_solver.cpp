@@ -8,21 +8,11 @@
 
 namespace gyromode {
 
-namespace {
-
-Matrix parts_of(const ComplexVector& q) {
-  Matrix parts(q.size(), 2);
-  parts << q.real(), q.imag();
-  return parts;
-}
-
-}  // namespace
-
 SteadySolver::SteadySolver(const SparseSystem& system)
     : system_(system), groups_(sparse::groups_of(sparse::analyse(system), system.size())), impedance_(system, groups_) {}
 
 ComplexVector SteadySolver::impedance_times(double omega, const ComplexVector& q) const {
-  const Matrix parts = parts_of(q);
+  const Matrix parts = sparse::parts_of(q);
   const Matrix still = sparse::symmetric_times(system_.stiffness(), parts) - omega * omega * sparse::symmetric_times(system_.mass(), parts);
   const Matrix turned = omega * sparse::skew_times(system_.gyroscopic(), parts);  // jωG
   ComplexVector h(q.size());

@@ -8,8 +8,6 @@
 #include "gyromode/sparse/blas_threads.h"
 #include "gyromode/sparse/matrix.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,10 +15,9 @@ namespace gyromode {
 
 namespace {
 
-Vector required(const SparseSystem& s, const Vector& v, const char* what) {
-  if (v.size() != s.size())
-    throw InvalidArgument(fmt::format("{}: {} numbers where the system has {} coordinates", what, v.size(), s.size()));
-  if (!v.allFinite()) throw InvalidArgument(fmt::format("{}: not finite", what));
+// Of columns in the coordinates given.
+Vector required(const SparseSystem& s, const Vector& v, std::string_view what) {
+  require_coordinates(v, s.size(), what);
   return sparse::from_given(s, v).col(0);
 }
 
@@ -39,12 +36,12 @@ double energy_in(const SparseSystem& s, const State& w) {
 
 // r of Re(r e^{jνt}), what the force does beyond the modes: H(ν) is near to singular at one of them, which it does not
 // drive.
-ComplexVector steady_beyond(const SteadySolver& solver, const WindowedPart& part, const Vector& force, double nu) {
+ComplexVector steady_beyond(const SteadySolver& solver, const WindowedPart& part, const Vector& force, const ComplexVector& h, double nu) {
   constexpr double near = 1e-7;
-  bool beside = nu == 0;
-  for (const double omega : part.omega()) beside = beside || std::abs(nu - omega) <= near * omega;
-  const auto solved = [&](double at) { return part.without_modes(solver.at(at, part.beyond(force, at)), force, at); };
+  const auto solved = [&](double at) { return part.without_modes(solver.at(at, part.beyond(force, h, at)), h, at); };
   if (nu == 0) return solved(0).real().cast<Complex>();
+  bool beside = false;
+  for (const double omega : part.omega()) beside = beside || std::abs(nu - omega) <= near * omega;
   return beside ? ComplexVector(0.5 * (solved(nu * (1 + 2 * near)) + solved(nu * (1 - 2 * near)))) : solved(nu);
 }
 
@@ -68,11 +65,14 @@ WindowedMotion::WindowedMotion(const SparseSystem& system, const State& initial,
       continue;
     }
     const double nu = f.course == Force::Course::step ? 0 : f.frequency;
-    Lasting one{nu, part_.pushed(amplitude), {}};
+    const WindowedPart::Share share = part_.share_of(Vector::Zero(system.size()), amplitude);
+    const double pushed = solver.size_of(amplitude) * std::sqrt(0.5);  // the root of the energy of (0, M⁻¹f)
+    if (pushed > 0) departure_ = std::max(departure_, share.missing / pushed);
+    Lasting one{nu, share.amplitudes, {}};
     if (free && nu == 0)
       free_under_steps_ = true;
     else
-      one.remainder = seen(sparse::in_given(system, steady_beyond(solver, part_, amplitude, nu)));
+      one.remainder = seen(sparse::in_given(system, steady_beyond(solver, part_, amplitude, one.modes, nu)));
     lasting_.push_back(std::move(one));
   }
   start(system, w);
@@ -80,27 +80,19 @@ WindowedMotion::WindowedMotion(const SparseSystem& system, const State& initial,
 
 // Modes are orthogonal in the energy: what is left of it is that of the others.
 void WindowedMotion::start(const SparseSystem& system, const State& w) {
-  started_ = part_.amplitudes(w);
+  const WindowedPart::Share share = part_.share_of(w.q, sparse::symmetric_times(system.mass(), w.qdot).col(0));
+  started_ = share.amplitudes;
   initial_energy_ = energy_in(system, w);
   const State own = part_.state(started_);
-  const State left{w.q - own.q, w.qdot - own.qdot};
-  left_out_ = energy_in(system, left);
-  const ComplexVector again = part_.amplitudes(left);
-  const auto size = [&](const ComplexVector& a, Index k) {
-    return std::sqrt(part_.omega()(k) * std::abs(part_.form()(k))) * std::abs(a(k));
-  };
-  double whole = std::sqrt(std::abs(left_out_)), missing = 0;
-  for (Index k = 0; k < part_.size(); ++k) {
-    whole = std::hypot(whole, size(started_, k));
-    missing = std::hypot(missing, size(again, k));
-  }
-  if (whole > 0) departure_ = missing / whole;
+  left_out_ = energy_in(system, {w.q - own.q, w.qdot - own.qdot});
+  const double whole = std::hypot(share.size, std::sqrt(std::abs(left_out_)));
+  if (whole > 0) departure_ = std::max(departure_, share.missing / whole);
   for (Index k = 0; k < part_.size(); ++k) {
     constexpr double takes_part = 1e-6;
-    bool moves = size(started_, k) > takes_part * whole;
+    bool moves = std::sqrt(part_.omega()(k) * std::abs(part_.form()(k))) * std::abs(started_(k)) > takes_part * whole;
     for (const Lasting& f : lasting_) moves = moves || std::abs(f.modes(k)) > 0;
     if (moves) phase_drift_ = std::max(phase_drift_, part_.error()(k));
-    Mode& mode = found_.modes[static_cast<std::size_t>(part_.which()[static_cast<std::size_t>(k)])];
+    const Mode& mode = found_.modes[static_cast<std::size_t>(part_.which()[static_cast<std::size_t>(k)])];
     const Complex a = started_(k);
     modal_.push_back({part_.omega()(k), 2 * std::abs(a), std::abs(a) > 0 ? std::arg(a) : 0,
                       part_.omega()(k) * part_.form()(k) * std::norm(a), mode.energy_sign, shapes_.col(k)});
@@ -113,7 +105,7 @@ bool WindowedMotion::with_steady_parts() const {
 }
 
 State WindowedMotion::at(double t) const {
-  if (!(t >= 0) || !std::isfinite(t)) throw InvalidArgument(fmt::format("a motion from initial conditions at t = 0 has no time {}", t));
+  require_time(t);
   const Complex j(0, 1);
   ComplexVector a(part_.size()), rate(part_.size());
   for (Index k = 0; k < a.size(); ++k) {

@@ -26,7 +26,8 @@ class WindowedMotion {
   double initial_energy() const { return initial_energy_; }        ///< ½q̇ᵀMq̇ + ½qᵀKq at t = 0⁺
   /// Of it, what is in no mode of the window, to rounding of all of it.
   double energy_left_out() const { return left_out_; }
-  /// What is not exactly in the modes after it was taken out, relative: the accuracy of the decomposition.
+  /// What is still in the modes of the initial state, and of what lasting forces push, after it was taken out,
+  /// relative: the accuracy of the decomposition.
   double departure() const { return departure_; }
   /// rad: error bounds of the frequencies of modes with more than 10⁻⁶ of the motion, times t.
   double phase_error(double t) const { return phase_drift_ * t; }

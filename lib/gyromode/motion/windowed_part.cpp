@@ -57,20 +57,18 @@ WindowedPart::WindowedPart(const SparseSystem& system, const ModesResult& found)
   for (ComplexMatrix* a : {&shapes_, &mass_times_, &gyroscopic_times_}) *a = ComplexMatrix((*a)(Eigen::all, kept));
 }
 
-// a = (ωXᴴMq − jXᴴ(Mq̇ + Gq))/form; of the mirror image X̄, −ω the form has the other sign. XᴴG = −(GX)ᴴ.
-ComplexVector WindowedPart::amplitudes(const ComplexState& w, bool mirrored) const {
+// a = (ωXᴴMq − jXᴴ(p + Gq))/form; of the mirror image X̄, −ω the form has the other sign. XᴴG = −(GX)ᴴ.
+ComplexVector WindowedPart::amplitudes(const ComplexVector& q, const ComplexVector& momentum, bool mirrored) const {
   const auto on = [&](const ComplexMatrix& a, const ComplexVector& v) {
     return mirrored ? ComplexVector(a.transpose() * v) : ComplexVector(a.adjoint() * v);
   };
   const Complex j(0, mirrored ? -1 : 1);
-  const ComplexVector momentum = on(mass_times_, w.qdot) - on(gyroscopic_times_, w.q);
-  return (omega_.array() * on(mass_times_, w.q).array() - j * momentum.array()) / form_.array();
+  const ComplexVector turned = on(shapes_, momentum) - on(gyroscopic_times_, q);
+  return (omega_.array() * on(mass_times_, q).array() - j * turned.array()) / form_.array();
 }
 
-ComplexVector WindowedPart::amplitudes(const State& w) const { return amplitudes({w.q.cast<Complex>(), w.qdot.cast<Complex>()}, false); }
-
-ComplexVector WindowedPart::pushed(const Vector& force) const {
-  return Complex(0, -1) * (shapes_.adjoint() * force.cast<Complex>()).array() / form_.array();
+double WindowedPart::size_of(const ComplexVector& a) const {
+  return std::sqrt((omega_.array() * form_.array().abs() * a.array().abs2()).sum());
 }
 
 State WindowedPart::state(const ComplexVector& a) const {
@@ -78,17 +76,40 @@ State WindowedPart::state(const ComplexVector& a) const {
   return {2 * (shapes_ * a).real(), 2 * (shapes_ * rate).real()};
 }
 
-// Of the state (0, M⁻¹f) that the force pushes (q̃, ṽ) is left beside the modes: the right side is Mṽ + Gq̃ + jνMq̃.
-ComplexVector WindowedPart::beyond(const Vector& force, double nu) const {
-  const ComplexVector h = pushed(force), rate = Complex(0, 1) * omega_.array() * h.array();
-  const Vector mq = -2 * (mass_times_ * h).real(), gq = -2 * (gyroscopic_times_ * h).real(), mv = force - 2 * (mass_times_ * rate).real();
-  return joined(mv + gq, nu * mq);
+Vector WindowedPart::momentum(const ComplexVector& a) const {
+  return 2 * (mass_times_ * ComplexVector(Complex(0, 1) * omega_.array() * a.array())).real();
 }
 
-ComplexVector WindowedPart::without_modes(const ComplexVector& q, const Vector& force, double nu) const {
-  const Vector pushed_by = state(pushed(force)).q;  // −q̃
-  const ComplexState w{q, Complex(0, nu) * q + pushed_by.cast<Complex>()};
-  return q - shapes_ * amplitudes(w, false) - shapes_.conjugate() * amplitudes(w, true);
+// Repeated on what it leaves, as ComponentMotion does: shapes are orthogonal to their errors only.
+WindowedPart::Share WindowedPart::share_of(const Vector& q, const Vector& given) const {
+  constexpr int passes = 4;
+  Share s{ComplexVector::Zero(size()), 0, 0};
+  Vector left = q, left_momentum = given;
+  for (int pass = 0; pass < passes; ++pass) {
+    const ComplexVector more = amplitudes(left.cast<Complex>(), left_momentum.cast<Complex>(), false);
+    const double found = size_of(more);
+    if (pass > 0 && !(found < 0.5 * s.missing)) break;
+    s.missing = found;
+    s.amplitudes += more;
+    left -= 2 * (shapes_ * more).real();
+    left_momentum -= momentum(more);
+  }
+  s.missing = size_of(amplitudes(left.cast<Complex>(), left_momentum.cast<Complex>(), false));
+  s.size = size_of(s.amplitudes);
+  return s;
+}
+
+// Of the state (0, M⁻¹f) that the force pushes (q̃, ṽ) is left beside the modes: the right side is Mṽ + Gq̃ + jνMq̃.
+ComplexVector WindowedPart::beyond(const Vector& force, const ComplexVector& h, double nu) const {
+  const Vector mq = -2 * (mass_times_ * h).real(), gq = -2 * (gyroscopic_times_ * h).real();
+  return joined(force - momentum(h) + gq, nu * mq);
+}
+
+// Its momentum is jνMq − Mq̃, q̃ = −2 Re Xh.
+ComplexVector WindowedPart::without_modes(const ComplexVector& q, const ComplexVector& h, double nu) const {
+  const Matrix mass = sparse::symmetric_times(system_.mass(), sparse::parts_of(q));
+  const ComplexVector p = Complex(0, nu) * joined(mass.col(0), mass.col(1)) + (2 * (mass_times_ * h).real()).cast<Complex>();
+  return q - shapes_ * amplitudes(q, p, false) - shapes_.conjugate() * amplitudes(q, p, true);
 }
 
 }  // namespace gyromode

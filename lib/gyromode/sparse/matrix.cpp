@@ -50,6 +50,12 @@ Matrix lower_times(const SparseMatrix& lower, const Matrix& x, double sign) {
 
 }  // namespace
 
+Matrix parts_of(const ComplexVector& z) {
+  Matrix parts(z.size(), 2);
+  parts << z.real(), z.imag();
+  return parts;
+}
+
 Matrix symmetric_times(const SparseMatrix& lower, const Matrix& x) { return lower_times<false>(lower, x, 1); }
 Matrix skew_times(const SparseMatrix& below, const Matrix& x) { return lower_times<false>(below, x, -1); }
 

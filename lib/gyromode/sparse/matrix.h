@@ -6,6 +6,8 @@
 
 namespace gyromode::sparse {
 
+/// Re z and Im z, side by side. n × 2
+Matrix parts_of(const ComplexVector& z);
 /// AX of a symmetric A given by its lower triangle, diagonal included.
 Matrix symmetric_times(const SparseMatrix& lower, const Matrix& x);
 /// AX of a skew A given by what is below its diagonal.

@@ -118,6 +118,7 @@ void describe(const Model&, const ResponseReport& r, Writer& w) {
          "energy",
          fmt::format("{:.10g} at first; {:.6g} in zero roots, {:.6g} in growing motion and double roots, the rest in modes",
                      r.initial_energy, r.zero_energy, r.remainder_energy));
+  if (r.coverage) describe_coverage(*r.coverage, w.layout().unit, w);
   if (r.energy_left_out) w.fact("energy_left_out", *r.energy_left_out);
   w.say("accuracy", fmt::format("{:.1e} of the motion at first; phases at the last time to {:.1e} rad", r.departure, r.phase_error));
   w.fact("departure", r.departure);
