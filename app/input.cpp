@@ -7,12 +7,18 @@
 #include "gyromode/spectrum/spectrum.h"
 #include "gyromode/base/number.h"
 #include "gyromode/read/toml_table.h"
+#include "gyromode/sparse/factor_memory.h"
 #include "gyromode/base/quantity.h"
 #include "gyromode/system/laws.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 namespace gyromode::app {
 
@@ -53,6 +59,14 @@ void ModelSource::add_to(CLI::App& verb) {
           ->default_str("")
           ->option_text("[=TOL]");
   verb.add_flag("--strict", strict, "Refuse matrices that are not (skew-)symmetric to the last bit")->excludes(take);
+  verb.add_option(
+          "--memory", memory,
+          "Large models: memory that the program may come to with a factorisation, such as 12GB; factors that need more are kept in "
+          "files (default: what the machine has free)")
+      ->type_name("BYTES");
+  verb.add_option("--scratch", scratch, "The folder for such files (default: TMPDIR, else /var/tmp)")
+      ->type_name("FOLDER")
+      ->check(CLI::ExistingDirectory);
 }
 
 // A broken law is known by its matrix; which file that came from is known here.
@@ -96,7 +110,41 @@ void ModelSource::name_matrices(MatrixFiles& files) const {
   }
 }
 
+// 12GB, 800 MB, 4GiB; a bare number is bytes.
+double bytes_option(const std::string& option, const std::string& text) {
+  constexpr double least = 1e6;
+  constexpr std::array<std::pair<std::string_view, double>, 10> units{{{"", 1},
+                                                                       {"B", 1},
+                                                                       {"KB", 1e3},
+                                                                       {"MB", 1e6},
+                                                                       {"GB", 1e9},
+                                                                       {"TB", 1e12},
+                                                                       {"KIB", 0x1p10},
+                                                                       {"MIB", 0x1p20},
+                                                                       {"GIB", 0x1p30},
+                                                                       {"TIB", 0x1p40}}};
+  const std::size_t end = text.find_first_not_of("0123456789.eE+-");
+  std::string unit;
+  for (const char c : end == std::string::npos ? "" : text.substr(end)) {
+    if (c != ' ') unit += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  const Parsed number = parse_real(text.substr(0, end));
+  const auto known = std::find_if(units.begin(), units.end(), [&](const auto& u) { return u.first == unit; });
+  if (number.outcome != Parsed::ok || known == units.end() || !(number.value * known->second >= least))
+    throw UsageError(fmt::format("{} {}: an amount of memory from 1 MB on was expected, such as 12GB or 800MB", option, text));
+  return number.value * known->second;
+}
+
+void ModelSource::limit_memory() const {
+  if (!memory && !scratch) return;
+  FactorMemory limit;
+  if (memory) limit.most = bytes_option("--memory", *memory);
+  if (scratch) limit.scratch = *scratch;
+  set_factor_memory(limit);
+}
+
 Model ModelSource::read() const {
+  limit_memory();
   const bool three = !mass.empty() || !gyroscopic.empty() || !stiffness.empty();
   const int given = int{!model.empty()} + int{three} + int{!container.empty()};
   if (given != 1) {

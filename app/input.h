@@ -18,6 +18,7 @@ struct ModelSource {
   double coupling_tolerance = 0;
   std::optional<std::string> symmetrise;
   bool strict = false;
+  std::optional<std::string> memory, scratch;  ///< for factorisations
 
   void add_to(CLI::App& verb);
   /// The files that are read.
@@ -30,6 +31,7 @@ struct ModelSource {
 
  private:
   Admission admission() const;
+  void limit_memory() const;
   void name_matrices(MatrixFiles& files) const;
 };
 

@@ -3,6 +3,7 @@
 #include "input.h"
 #include "output.h"
 #include "progress.h"
+#include "start_again.h"
 
 #include "gyromode/write/document.h"
 
@@ -51,6 +52,7 @@ class Job {
  private:
   static Model read(const ModelSource& source, const OutputOption& output) {
     output.require_place(source.files());
+    start_again_for_large(source.files());
     ProgressLine line(output);
     line.tell("reading", 0, 0);
     return source.read();

@@ -55,7 +55,8 @@ ExitCode estimate(const Model& model, const OutputOption& output) {
   if (plan.empty())
     text = fmt::format("dense: {} coordinates, some {:.0f} MB\n", model.size(), std::max(1.0, bytes_an_entry * n * n / megabyte));
   for (const PlannedFactorisation& p : plan)
-    text += fmt::format("{:<18} order {:>8}  {:>8.3g} entries in the factor  {:>7.0f} MB\n", p.what, p.order, p.entries, p.megabytes);
+    text += fmt::format("{:<18} order {:>8}  {:>8.3g} entries in the factor  {:>7.0f} MB, or {:.0f} MB with {:.0f} MB in files\n", p.what,
+                        p.order, p.entries, p.megabytes, p.megabytes_beside_files, p.megabytes_in_files);
   output.write(text);
   return ExitCode::done;
 }

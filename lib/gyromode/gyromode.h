@@ -18,6 +18,7 @@
 #include "gyromode/read/read_model.h"
 #include "gyromode/rotor/rotor.h"
 #include "gyromode/spacecraft/spacecraft.h"
+#include "gyromode/sparse/factor_memory.h"
 #include "gyromode/stability/stability_map.h"
 #include "gyromode/structure/realify.h"
 #include "gyromode/structure/structure.h"

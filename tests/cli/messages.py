@@ -47,6 +47,11 @@ said(0, "Usage: gyromode modes", "help", "modes")
 said(0, "Usage: gyromode", "help")
 said(0, "gyromode 0.", "-V")
 said(1, "'0' is no whole number above 0", "modes", "m.toml", "--lowest", "0")
+for amount in ("much", "12XB", "-3GB", "5", "0GB", "1e400GB"):
+    said(1, f"--memory {amount}: an amount of memory from 1 MB on was expected, such as 12GB or 800MB", "modes", "m.toml", f"--memory={amount}")
+said(1, "Directory does not exist: nowhere", "modes", "m.toml", "--scratch", "nowhere")
+for amount in ("12GB", "800 MB", "1.5gib", "2e9"):
+    said(0, "complete", "modes", "m.toml", "--memory", amount)
 said(1, "'five' is no whole number above 0", "modes", "m.toml", "--lowest", "five")
 said(1, "'' is no frequency", "modes", "m.toml", "--below", "")
 said(0, "complete: found 2", "modes", "m.toml", "--below", "50 Hz")

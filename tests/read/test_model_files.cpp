@@ -184,6 +184,18 @@ TEST_F(ModelFiles, Sha256IsThatOfSha256sum) {
   EXPECT_EQ(read(text).sha256, "cb1335f2cb033befdec91919888ae46eebc2cf54cb713c90ce1620603f18531b");
 }
 
+TEST_F(ModelFiles, BytesToReadAreThoseOfTheFilesThatAModelNames) {
+  const std::string text = "kind='matrices'\nmass='M.mtx'\nstiffness='K.mtx'\ngyroscopic='none.mtx'\n";
+  const fs::path model = write("model.toml", text);
+  write("M.mtx", std::string(1000, 'm'));
+  const fs::path k = write("K.mtx", std::string(20, 'k'));
+  EXPECT_EQ(bytes_to_read(model), text.size() + 1020);
+  EXPECT_EQ(bytes_to_read(k), 20u);
+  EXPECT_EQ(bytes_to_read(folder_), 0u);
+  EXPECT_EQ(bytes_to_read(folder_ / "none.toml"), 0u);
+  EXPECT_EQ(bytes_to_read(write("damaged.toml", "mass = [")), 8u) << "whoever reads it will say";
+}
+
 // Labels from a file, or those that the matrix files have for their rows.
 TEST_F(ModelFiles, LabelsFromFiles) {
   const std::string start = "kind='matrices'\nmass=[[1,0],[0,1]]\nstiffness=[[1,0],[0,1]]\n";

@@ -10,14 +10,19 @@
 namespace gyromode::io {
 
 std::string Digest::sha256() const {
+  std::string all;
+  for (const Part& p : parts_) all += p.later.valid() ? p.later.get() : p.bytes;
   std::array<char, SHA256_DIGEST_STRING_LENGTH> hex{};
-  SHA256Data(reinterpret_cast<const std::uint8_t*>(bytes_.data()), bytes_.size(), hex.data());
+  SHA256Data(reinterpret_cast<const std::uint8_t*>(all.data()), all.size(), hex.data());
   return hex.data();
 }
 
 void Digest::add_large(const std::filesystem::path& file) {
-  std::array<char, SHA256_DIGEST_STRING_LENGTH> hex{};
-  if (SHA256File(file.c_str(), hex.data())) bytes_ += hex.data();
+  const auto digest = [file]() -> std::string {
+    std::array<char, SHA256_DIGEST_STRING_LENGTH> hex{};
+    return SHA256File(file.c_str(), hex.data()) ? hex.data() : "";
+  };
+  parts_.emplace_back().later = std::async(std::launch::async, digest).share();
   files_.push_back(file);
 }
 

@@ -22,8 +22,7 @@ namespace {
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
 // What an inspection tells of the mesh.
-std::vector<ModelCheck> checks_of(const StructureParts& parts) {
-  const MeshFacts f = facts_of(parts);
+std::vector<ModelCheck> checks_of(const MeshFacts& f) {
   const auto& mass = f.mass_per_direction;
   std::vector<ModelCheck> all{{"nodes", static_cast<double>(f.nodes)},
                               {"mass_per_direction", NamedNumbers{{"x", mass[0]}, {"y", mass[1]}, {"z", mass[2]}}}};
@@ -60,11 +59,12 @@ std::shared_ptr<const ModelKind> dense_model_of(const StructureParts& p) {
 
 }  // namespace
 
-StructureModel::StructureModel(StructureParts parts) : SparseMatricesModel(in_symmetric_coordinates(parts)), parts_(std::move(parts)) {}
+StructureModel::StructureModel(StructureParts parts)
+    : SparseMatricesModel(in_symmetric_coordinates(parts)), facts_(facts_of(parts)), spin_(parts.spin) {}
 
 StructureReport StructureModel::structure(std::optional<double> at) const {
   StructureReport r = SparseMatricesModel::structure(at);
-  std::vector<ModelCheck> checks = checks_of(parts_);
+  std::vector<ModelCheck> checks = checks_of(facts_);
   if (const sparse::Basis* b = system().basis()) {
     checks.push_back({"symmetry", b->in_words});
     checks.push_back({"symmetry_departure", b->departure});
@@ -79,7 +79,7 @@ std::vector<std::string> StructureModel::doubts(bool fixed_axes) const {
     all.push_back(
         fmt::format("nothing holds the body across its axis: its translation, a double root at the spin {:.6g} rad/s, is no vibration and "
                     "is left out",
-                    std::abs(parts_.spin)));
+                    std::abs(spin_)));
   return all;
 }
 
@@ -98,7 +98,7 @@ ModesResult SmallStructureModel::modes(const ModesOptions& options) const {
 
 StructureReport SmallStructureModel::structure(std::optional<double> at) const {
   StructureReport r = DelegatingModel::structure(at);
-  for (ModelCheck& c : checks_of(parts_)) r.checks.push_back(std::move(c));
+  for (ModelCheck& c : checks_of(facts_of(parts_))) r.checks.push_back(std::move(c));
   if (symmetry_.empty()) return r;
   for (Component& c : r.structure.components) c.mesh_symmetry = !c.quadrature();
   r.checks.push_back({"symmetry", symmetry_});

@@ -16,7 +16,8 @@ class StructureModel : public SparseMatricesModel {
   std::vector<std::string> doubts(bool fixed_axes) const override;
 
  private:
-  StructureParts parts_;
+  MeshFacts facts_;
+  double spin_ = 0;
 };
 
 /// The same of few coordinates, answered by the dense engine: all verbs that matrices at one spin have.

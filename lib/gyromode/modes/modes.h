@@ -49,10 +49,12 @@ ModesResult find_modes(const SparseSystem& system, const ModesOptions& options =
 
 /// A factorisation that find_modes() would make, as its analysis estimates it.
 struct PlannedFactorisation {
-  std::string_view what;  ///< "K", "K, in phase", "H*(ω)", …
-  Index order = 0;        ///< of the matrix that is factored
-  double entries = 0;     ///< of the factor
-  double megabytes = 0;   ///< in core
+  std::string_view what;              ///< "K", "K, in phase", "H*(ω)", …
+  Index order = 0;                    ///< of the matrix that is factored
+  double entries = 0;                 ///< of the factor
+  double megabytes = 0;               ///< of memory
+  double megabytes_beside_files = 0;  ///< of memory where the factor is kept in files
+  double megabytes_in_files = 0;      ///< of those files
 };
 std::vector<PlannedFactorisation> plan_of(const SparseSystem& system);
 

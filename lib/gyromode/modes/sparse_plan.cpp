@@ -5,6 +5,14 @@
 
 namespace gyromode {
 
+namespace {
+
+PlannedFactorisation planned(std::string_view what, Index order, const sparse::SymmetricFactor& f) {
+  return {what, order, f.entries(), f.megabytes(), f.megabytes_beside_files(), f.megabytes_in_files()};
+}
+
+}  // namespace
+
 std::vector<PlannedFactorisation> plan_of(const SparseSystem& s) {
   using sparse::SymmetricFactor;
   const sparse::Groups groups = sparse::groups_of(sparse::analyse(s), s.size());
@@ -16,10 +24,10 @@ std::vector<PlannedFactorisation> plan_of(const SparseSystem& s) {
     const SparseMatrix block = sparse::restricted(s.stiffness(), rows);
     if (block.nonZeros() == 0) continue;
     const SymmetricFactor k(block, sparse::elimination_order(s, rows), SymmetricFactor::Keep::factors, SymmetricFactor::Kind::definite);
-    all.push_back({groups.partition ? names[g] : "K", static_cast<Index>(rows.size()), k.entries(), k.megabytes()});
+    all.push_back(planned(groups.partition ? names[g] : "K", static_cast<Index>(rows.size()), k));
   }
   const auto h = sparse::ShiftedImpedance(s, groups).analysed();
-  all.push_back({groups.partition ? "H*(ω)" : "H(ω), real", groups.partition ? s.size() : 2 * s.size(), h->entries(), h->megabytes()});
+  all.push_back(planned(groups.partition ? "H*(ω)" : "H(ω), real", groups.partition ? s.size() : 2 * s.size(), *h));
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include "gyromode/models/model.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -17,6 +18,10 @@ Model read_model(const std::filesystem::path& file, const Admission& admission =
 
 /// The same from text in memory; `name` stands for the file in messages, and matrix files are sought in its folder.
 Model parse_model(std::string_view text, const std::filesystem::path& name, const Admission& admission = {});
+
+/// Bytes of a model file, or of a matrix file, with those of the files that a model file names; what is not there
+/// counts nothing. Large models take long, and a program may want to prepare.
+std::uintmax_t bytes_to_read(const std::filesystem::path& file);
 
 /// Where the matrices of a model are: a file each ("K.mtx", "model.mat:Stiff"), in any format that is read
 /// (read_matrices_of()); or a container of several with the names that they have there.

@@ -7,7 +7,8 @@
 
 namespace gyromode::sparse {
 
-/// A = Pᵀ L D Lᵀ P of symmetric sparse matrices of one pattern, with pivoting (MUMPS): the pattern is analysed once.
+/// A = Pᵀ L D Lᵀ P of symmetric sparse matrices of one pattern, with pivoting (MUMPS): the pattern is analysed once. L
+/// is kept in memory where there is room for it as factor_memory() says, else in files.
 class SymmetricFactor {
  public:
   /// What is kept of a factorisation.
@@ -32,21 +33,28 @@ class SymmetricFactor {
   /// Whether the last one was singular: nothing can be solved with it.
   bool singular() const { return singular_; }
   /// Of a matrix with exactly that pattern. @returns the number of negative pivots, arbitrary where it is singular to
-  /// rounding. @throws TooLarge, with the memory that it would take
+  /// rounding. @throws TooLarge, with the memory that it would take, where that is more than there is or may be used
   Index factor(const SparseMatrix& lower);
   /// A⁻¹B, n × m.
   Matrix solve(Matrix b);
-  /// Megabytes that the last factorisation took, or before the first is estimated to take.
+  /// Megabytes that it is estimated to take.
   double megabytes() const;
+  /// The same with L in files, of some megabytes.
+  double megabytes_beside_files() const;
+  double megabytes_in_files() const;
+  /// Whether L is there.
+  bool in_files() const { return in_files_; }
   /// Entries of L, as analysed.
   double entries() const;
 
  private:
+  void choose_place();
+
   struct Instance;
   std::unique_ptr<Instance> of_;
   Keep keep_;
   Index size_ = 0, non_zeros_ = 0;
-  bool singular_ = false;
+  bool singular_ = false, placed_ = false, in_files_ = false;
 };
 
 }  // namespace gyromode::sparse

@@ -1,7 +1,7 @@
 #include "gyromode/sparse/sparse_system.h"
 
 #include "gyromode/base/error.h"
-#include "gyromode/sparse/factor.h"
+#include "gyromode/sparse/mass_law.h"
 #include "gyromode/sparse/node_order.h"
 
 #include <fmt/format.h>
@@ -27,26 +27,6 @@ void require_lower(std::string_view name, const SparseMatrix& a, Index n, bool w
   }
 }
 
-// Whether M is singular to rounding: of its factorisation or of the digits of a file, 10⁻¹² of every diagonal entry.
-// Elements of reduced integration leave motions without mass.
-bool is_singular_mass(const SparseMatrix& mass, const std::vector<int>& order, const Labels& labels) {
-  constexpr double rounding = 1e-12;
-  const Vector diagonal = mass.diagonal();
-  for (Index j = 0; j < mass.cols(); ++j) {
-    if (!(diagonal(j) > 0))
-      throw LawBroken(
-          fmt::format("M must be positive definite: its diagonal entry of {} is {:.6g}", labels[static_cast<std::size_t>(j)], diagonal(j)));
-  }
-  sparse::SymmetricFactor factor(mass, order, sparse::SymmetricFactor::Keep::counts);
-  SparseMatrix shifted = mass;
-  for (Index j = 0; j < mass.cols(); ++j) shifted.coeffRef(j, j) -= rounding * diagonal(j);
-  if (factor.factor(shifted) == 0) return false;
-  for (Index j = 0; j < mass.cols(); ++j) shifted.coeffRef(j, j) += 2 * rounding * diagonal(j);
-  const Index negative = factor.factor(shifted);
-  if (negative > 0) throw LawBroken(fmt::format("M must not be indefinite: {} of its eigenvalues are negative beyond rounding", negative));
-  return true;
-}
-
 }  // namespace
 
 SparseSystem::SparseSystem(SparseMatrices matrices) : of_(std::move(matrices)) {
@@ -66,7 +46,7 @@ SparseSystem::SparseSystem(SparseMatrices matrices) : of_(std::move(matrices)) {
     std::iota(of_.node.begin(), of_.node.end(), 0);
   }
   places_ = sparse::node_places({&of_.mass, &of_.gyroscopic, &of_.stiffness}, of_.node);
-  singular_mass_ = n > 0 && is_singular_mass(of_.mass, sparse::coordinate_order(places_, of_.node), of_.labels);
+  singular_mass_ = n > 0 && sparse::is_singular_mass(of_.mass, places_, of_.node, of_.labels);
 }
 
 double SparseSystem::gyroscopic_size() const {
