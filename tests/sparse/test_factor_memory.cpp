@@ -60,7 +60,7 @@ class FactorMemoryTest : public ::testing::Test {
   void leave(double megabytes) const {
     constexpr double much = 1e15;
     set_factor_memory({much, scratch_});
-    const double taken = much - sparse::memory_left();
+    const double taken = much - sparse::memory_left(2 * much);
     set_factor_memory({taken + 1e6 * megabytes, scratch_});
   }
   Index files() const { return std::distance(std::filesystem::directory_iterator(scratch_), {}); }

@@ -1,6 +1,8 @@
 // Responses of sparse systems, by those of the dense engine.
 #include "gyromode/base/error.h"
+#include "gyromode/modes/modes.h"
 #include "gyromode/motion/frequency_response.h"
+#include "gyromode/motion/reduced_sweep.h"
 #include "gyromode/motion/windowed_motion.h"
 #include "sparse/as_dense.h"
 #include "support/random_matrices.h"
@@ -81,6 +83,35 @@ TEST(SparseResponse, OverFrequenciesIsThatOfTheDenseEngine) {
         constexpr double beside_a_mode = 1e-7;  // 10⁻⁵ of ω beside it the response takes the error of ω 10⁵ times
         EXPECT_LT((r.points[p].q - q).norm(), (r.points[p].added ? beside_a_mode : 1e-9) * dense.points[p].q.norm()) << unit << " " << p;
       }
+    }
+  }
+}
+
+// Few factorisations serve a sweep, of any spin; what comes of them is what a factorisation at every point gives.
+TEST(SparseResponse, ASweepIsProjectedOnModesAndCorrected) {
+  support::Source source{std::mt19937_64(20261128)};
+  for (const double spin : {0.01, 1.0, 30.0}) {
+    for (const bool partition : {true, false}) {
+      Held c = held(source, 500, partition);
+      c.g *= spin;
+      const SparseSystem s = sparse_of(c);
+      ModesOptions o;
+      o.lowest = 20;
+      o.shapes = true;
+      const ModesResult modes = find_modes(s, o);
+      ASSERT_TRUE(modes.is_complete());
+      ComplexMatrix shapes(500, static_cast<Index>(modes.modes.size()));
+      for (Index k = 0; k < shapes.cols(); ++k) shapes.col(k) = modes.modes[static_cast<std::size_t>(k)].shape;
+      const SteadySolver solver(s);
+      const ComplexVector f = any(source, 500).cast<Complex>();
+      ReducedSweep sweep(solver, f, shapes);
+      const double last = 0.9 * modes.modes.back().omega;
+      constexpr Index points = 100;
+      for (const double omega : Vector::LinSpaced(points, 0.001 * last, last)) {
+        const ComplexVector q = sweep.at(omega), direct = solver.at(omega, f);
+        EXPECT_LT((q - direct).norm(), 1e-8 * direct.norm()) << spin << " " << partition << " " << omega;
+      }
+      EXPECT_LE(sweep.factored(), 10) << spin << " " << partition;
     }
   }
 }

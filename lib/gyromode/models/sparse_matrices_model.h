@@ -25,7 +25,7 @@ class SparseMatricesModel : public ModelKind {
   void require_motion() const override {}
   /// In the modes of the window asked for.
   ResponseReport response(const MotionRequest& request) const override;
-  /// By one factorisation a frequency.
+  /// By few factorisations: projected on the modes of the range where these are all, and corrected.
   FrequencyReport frequency_response(const FrequencyRequest& request) const override;
   std::vector<std::string> doubts(bool fixed_axes) const override;
 

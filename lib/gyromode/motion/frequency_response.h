@@ -54,9 +54,10 @@ struct FrequencyResponse {
   std::vector<double> resonances() const;  ///< frequencies of the modes that the force drives, however weakly
 };
 
-/// H(ω)⁻¹f on a grid (ascending, ω ≥ 0, rad per unit of time), by one factorisation a point. With `resolve` points at
-/// ω_s(1 ± 10⁻²) … ω_s(1 ± 10⁻⁵) are put beside every mode ω_s in range that the force drives. `progress` is told
-/// "frequencies". Throws InvalidArgument where sizes do not fit, the grid does not ascend, or a number is not finite.
+/// H(ω)⁻¹f on a grid (ascending, ω ≥ 0, rad per unit of time), by one factorisation a point; of sparse systems by few
+/// (ReducedSweep). With `resolve` points at ω_s(1 ± 10⁻²) … ω_s(1 ± 10⁻⁵) are put beside every mode ω_s in range that
+/// the force drives. `progress` is told "frequencies". Throws InvalidArgument where sizes do not fit, the grid does not
+/// ascend, or a number is not finite.
 FrequencyResponse frequency_response(const System& system, const Vector& force, const Vector& grid, bool resolve = true,
                                      const Progress& progress = {});
 /// The same of a sparse system: its modes in the range are those of find_modes(); the entries of q are the coordinates

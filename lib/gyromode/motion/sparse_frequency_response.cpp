@@ -3,6 +3,7 @@
 #include "gyromode/motion/driven_runs.h"
 #include "gyromode/motion/driven_sweep.h"
 #include "gyromode/motion/frequency_response.h"
+#include "gyromode/motion/reduced_sweep.h"
 #include "gyromode/motion/steady_solver.h"
 #include "gyromode/sparse/basis.h"
 #include "gyromode/sparse/blas_threads.h"
@@ -65,6 +66,19 @@ std::vector<DrivenMode> poles_of(const SparseSystem& s, const ModesResult& found
   return rest;
 }
 
+// Shapes of all that has a pole in or about the range, in the coordinates that the system is written in.
+ComplexMatrix shapes_of(const SparseSystem& s, const ModesResult& found) {
+  ComplexMatrix all(s.size(), static_cast<Index>(found.modes.size()) + s.translations().cols());
+  Index k = 0;
+  for (const Mode& m : found.modes) {
+    const Matrix p = sparse::from_given(s, sparse::parts_of(m.shape));
+    all.col(k).real() = p.col(0);
+    all.col(k++).imag() = p.col(1);
+  }
+  all.rightCols(s.translations().cols()) = s.translations().cast<Complex>();
+  return all;
+}
+
 }  // namespace
 
 FrequencyResponse frequency_response(const SparseSystem& system, const Vector& force, const Vector& grid, const std::vector<Index>& chosen,
@@ -80,7 +94,9 @@ FrequencyResponse frequency_response(const SparseSystem& system, const Vector& f
     return chosen.empty() ? q : ComplexVector(q(chosen));
   };
   DrivenSweep sweep;
-  sweep.solved = [&](double omega) { return seen(solver.at(omega, f)); };
+  ReducedSweep reduced(solver, f, shapes_of(system, found));
+  const bool all_known = found.coverage.status == CoverageStatus::complete;
+  sweep.solved = [&](double omega) { return seen(all_known ? reduced.at(omega) : solver.at(omega, f)); };
   sweep.limit = [&](double omega) { return seen(solver.beside(omega, f)); };
   sweep.poles = within(grid, poles_of(system, found, force, solver.size_of(f.real())));
   sweep.progress_of = "frequencies";

@@ -11,20 +11,18 @@ namespace gyromode {
 SteadySolver::SteadySolver(const SparseSystem& system)
     : system_(system), groups_(sparse::groups_of(sparse::analyse(system), system.size())), impedance_(system, groups_) {}
 
-ComplexVector SteadySolver::impedance_times(double omega, const ComplexVector& q) const {
+SteadySolver::Products SteadySolver::products(const ComplexVector& q) const {
   const Matrix parts = sparse::parts_of(q);
-  const Matrix still = sparse::symmetric_times(system_.stiffness(), parts) - omega * omega * sparse::symmetric_times(system_.mass(), parts);
-  const Matrix turned = omega * sparse::skew_times(system_.gyroscopic(), parts);  // jωG
-  ComplexVector h(q.size());
-  h.real() = still.col(0) - turned.col(1);
-  h.imag() = still.col(1) + turned.col(0);
-  return h;
+  const Matrix k = sparse::symmetric_times(system_.stiffness(), parts), m = sparse::symmetric_times(system_.mass(), parts);
+  const Matrix g = sparse::skew_times(system_.gyroscopic(), parts);
+  const Complex j(0, 1);
+  return {k.col(0) + j * k.col(1), m.col(0) + j * m.col(1), j * g.col(0) - g.col(1)};
 }
 
 ComplexVector SteadySolver::at(double omega, const ComplexVector& force) const {
   const auto factor = impedance_.at(omega);
   ComplexVector q = factor->solve(force);
-  q += factor->solve(force - impedance_times(omega, q));
+  q += factor->solve(force - products(q).at(omega));
   return q;
 }
 

@@ -15,14 +15,22 @@ class SteadySolver {
   /// The mean of both sides of a mode that f does not drive; of ω = 0, where q(−ω) is the conjugate of q(ω), its real
   /// part.
   ComplexVector beside(double omega, const ComplexVector& force) const;
+  /// H(ω), factored. The last two are kept.
+  std::shared_ptr<const sparse::ShiftedFactor> factored(double omega) const { return impedance_.at(omega); }
+
+  /// Kq, Mq and jGq.
+  struct Products {
+    ComplexVector k, m, jg;  ///< n
+    /// H(ω)q.
+    ComplexVector at(double omega) const { return k - (omega * omega) * m + omega * jg; }
+  };
+  Products products(const ComplexVector& q) const;
   /// M⁻¹f. n. @throws NotApplicable where M is singular
   Vector accelerations(const Vector& force) const;
   /// √(fᵀM⁻¹f); where M is singular, of its diagonal.
   double size_of(const Vector& force) const;
 
  private:
-  ComplexVector impedance_times(double omega, const ComplexVector& q) const;
-
   const SparseSystem& system_;
   sparse::Groups groups_;
   sparse::ShiftedImpedance impedance_;

@@ -105,8 +105,8 @@ void SymmetricFactor::choose_place() {
   placed_ = true;
   constexpr double small = 100;  // megabytes that nobody asks for
   if (factor_memory().most == unlimited && megabytes() < small) return;
-  const double left = memory_left() / megabyte;
   constexpr double share = 0.6;  // the rest is for other factors, and for vectors
+  const double left = memory_left(megabytes() * megabyte / share) / megabyte;
   in_files_ = keep_ == Keep::factors && megabytes() > share * left;
   const double needed = in_files_ ? megabytes_beside_files() : megabytes();
   if (needed > left)

@@ -64,15 +64,23 @@ std::filesystem::path scratch_folder() {
   return std::filesystem::is_directory(lasting, error) ? lasting : std::filesystem::temp_directory_path(error);
 }
 
-double memory_left() {
+namespace {
+
+double left_now() {
+  if (factor_memory().most == unknown) return std::min(entry_of("/proc/meminfo", "MemAvailable:", kilobyte), left_to_group());
+  const double taken = entry_of("/proc/self/status", "VmRSS:", kilobyte);
+  return taken < unknown ? std::max(0.0, factor_memory().most - taken) : factor_memory().most;
+}
+
+}  // namespace
+
+double memory_left(double wanted) {
+  const double left = left_now();
+  if (left >= wanted) return left;
 #ifdef __GLIBC__
-  malloc_trim(0);  // what is free within the process is free to take
+  malloc_trim(0);
 #endif
-  if (factor_memory().most < unknown) {
-    const double taken = entry_of("/proc/self/status", "VmRSS:", kilobyte);
-    return taken < unknown ? std::max(0.0, factor_memory().most - taken) : factor_memory().most;
-  }
-  return std::min(entry_of("/proc/meminfo", "MemAvailable:", kilobyte), left_to_group());
+  return left_now();
 }
 
 }  // namespace sparse

@@ -22,8 +22,9 @@ namespace sparse {
 const FactorMemory& factor_memory();
 /// The folder for files of factors.
 std::filesystem::path scratch_folder();
-/// Bytes that the process may take beyond those that it has; infinite where that is not known.
-double memory_left();
+/// Bytes that the process may take beyond those that it has; infinite where that is not known. Where that is less than
+/// `wanted`, what the C library keeps of freed memory is given back first.
+double memory_left(double wanted);
 
 }  // namespace sparse
 

@@ -31,10 +31,20 @@ Matrix joined(const std::vector<Index>& rows, const Matrix& x, const Matrix& y) 
   return both;
 }
 
-// diag(K₁, M₂) u.
-Matrix inner_of(const SparseSystem& s, const Groups& g, Index first, const Matrix& u) {
-  const std::vector<Index>&one = g.rows[static_cast<std::size_t>(first)], &two = g.rows[static_cast<std::size_t>(1 - first)];
-  return joined(one, symmetric_times(s.stiffness(), rows_of(one, u)), symmetric_times(s.mass(), rows_of(two, u)));
+// diag(K₁, M₂) in the order of the coordinates, by its lower triangle.
+SparseMatrix energy_matrix(const SparseSystem& s, const Groups& g, Index first) {
+  const auto leads = [&](Index i) { return g.across[static_cast<std::size_t>(i)] == (first == 1); };
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const auto& [a, leading] : {std::pair(&s.stiffness(), true), {&s.mass(), false}}) {
+    for (Index j = 0; j < a->outerSize(); ++j) {
+      if (leads(j) != leading) continue;
+      for (SparseMatrix::InnerIterator it(*a, j); it; ++it)
+        entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(j), it.value());
+    }
+  }
+  SparseMatrix e(s.size(), s.size());
+  e.setFromTriplets(entries.begin(), entries.end());
+  return e;
 }
 
 // diag(K, M) (q, q̇).
@@ -130,7 +140,12 @@ Matrix InverseOfBlocks::states(const Matrix& in_order) const {
 
 InverseAtShift::InverseAtShift(const SparseSystem& system, const Groups& groups, std::shared_ptr<const ShiftedFactor> impedance,
                                Index first)
-    : system_(system), groups_(groups), impedance_(std::move(impedance)), first_(first), coupling_(coupling_from(system, groups, first)) {}
+    : system_(system),
+      groups_(groups),
+      impedance_(std::move(impedance)),
+      first_(first),
+      coupling_(coupling_from(system, groups, first)),
+      energy_(energy_matrix(system, groups, first)) {}
 
 States InverseAtShift::start(const Matrix& shapes) const { return apply({shapes, Matrix()}); }
 
@@ -149,7 +164,7 @@ States InverseAtShift::apply(const States& u) const {
   return {w, joined(one, kx, mw)};
 }
 
-Matrix InverseAtShift::inner(const Matrix& x) const { return inner_of(system_, groups_, first_, x); }
+Matrix InverseAtShift::inner(const Matrix& x) const { return symmetric_times(energy_, x); }
 
 bool InverseAtShift::rough_products() const { return rough_at(system_, impedance_->shift); }
 

@@ -59,6 +59,7 @@ class InverseAtShift : public Inverse {
   std::shared_ptr<const ShiftedFactor> impedance_;
   Index first_;
   SparseMatrix coupling_;
+  SparseMatrix energy_;  // E
 };
 
 /// Of any G, K > 0:  A⁻¹ on (q, q̇), skew-adjoint in E = diag(K, M); θ = ∓j/ω, by one solve with K (theory sparse §3):

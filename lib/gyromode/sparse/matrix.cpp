@@ -18,8 +18,8 @@ Matrix lower_times(const SparseMatrix& lower, const Matrix& x, double sign) {
   std::vector<double> in(static_cast<std::size_t>(n * together)), out(in.size());
   for (Index first = 0; first < x.cols(); first += together) {
     const Index m = std::min(together, x.cols() - first);
-    std::fill(in.begin(), in.end(), 0.0);
-    std::fill(out.begin(), out.end(), 0.0);
+    if (m < together) std::fill(in.begin(), in.end(), 0.0);
+    if (first > 0) std::fill(out.begin(), out.end(), 0.0);
     for (Index c = 0; c < m; ++c) {
       for (Index i = 0; i < n; ++i) in[static_cast<std::size_t>(i * together + c)] = x(i, first + c);
     }
