@@ -75,7 +75,7 @@ ComplexMatrix shapes_of(const SparseSystem& s, const ModesResult& found) {
     all.col(k).real() = p.col(0);
     all.col(k++).imag() = p.col(1);
   }
-  all.rightCols(s.translations().cols()) = s.translations().cast<Complex>();
+  for (Index t = 0; t < s.translations().cols(); ++t) all.col(k++) = s.translations().col(t).cast<Complex>();
   return all;
 }
 
