@@ -51,14 +51,18 @@ int main(int argc, char** argv) {
   app.add_option("--twist", twist, "of its blades from root to tip, rad");
   app.add_option("--lean", lean, "of its blades, m: no symmetry is left");
   app.add_option("--spin", spin, "about z, rad/s");
+  bool stressed = false, rest = false;
+  app.add_flag("--stress", stressed, "K with the stress of the spin, as that of a shaft always is");
+  app.add_flag("--rest", rest, "K at rest, too, so that the spin can be varied");
   CLI11_PARSE(app, argc, argv);
   const BrickMesh mesh = kind == "disc" ? bladed_disc(blades, fine, twist, lean)
                                         : box({size[0], size[1], size[2]}, {bricks[0], bricks[1], bricks[2]}, kind == "cantilever");
-  const StructureParts p = assembled_bricks(mesh, {}, spin, kind == "shaft" ? displacement_under_spin(mesh, {}, spin) : Vector());
+  const StructureParts p = assembled_bricks(mesh, {}, spin, kind == "shaft" || stressed ? displacement_under_spin(mesh, {}, spin) : Vector());
   std::filesystem::create_directories(folder);
   const std::filesystem::path to = folder;
   write(p.mass, to / "model.mas");
   write(p.stiffness, to / "model.sti");
+  if (rest) write(assembled_bricks(mesh, {}, 0).stiffness, to / "rest.sti");
   const File dof = open(to / "model.dof"), csv = open(to / "nodes.csv"), toml = open(to / "model.toml");
   for (const MeshCoordinate& c : p.coordinates) fmt::print(dof.get(), "{}.{}\n", c.node, c.direction + 1);
   fmt::print(csv.get(), "node,x,y,z\n");
@@ -68,5 +72,6 @@ int main(int argc, char** argv) {
              "kind = \"structure\"\ntitle = \"{} of {} bricks\"\nmass = \"model.mas\"\nstiffness = \"model.sti\"\ndofs = \"model.dof\"\n"
              "coordinates = \"nodes.csv\"\nspin = {:.17g}\naxis = [0, 0, 1]\n",
              kind, mesh.bricks.size(), spin);
+  if (rest) fmt::print(toml.get(), "stiffness_at_rest = \"rest.sti\"\n");
   fmt::print("{} coordinates, {} + {} entries\n", p.mass.cols(), p.mass.nonZeros(), p.stiffness.nonZeros());
 }

@@ -247,7 +247,8 @@ StructureParts turned(const StructureParts& p, const std::array<std::array<doubl
   const Eigen::Matrix3d r = columns_of(turn);
   const SparseMatrix q = turn_of(p, turn);
   StructureParts t = p;
-  for (SparseMatrix* a : {&t.mass, &t.stiffness}) {
+  for (SparseMatrix* a : {&t.mass, &t.stiffness, &t.stiffness_at_rest}) {
+    if (a->cols() == 0) continue;
     const SparseMatrix full = a->selfadjointView<Eigen::Lower>();
     const SparseMatrix product = SparseMatrix(q.transpose()) * SparseMatrix(full * q);
     *a = SparseMatrix(product.triangularView<Eigen::Lower>());

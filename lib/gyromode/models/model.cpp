@@ -49,7 +49,7 @@ std::vector<Sensitivity> Model::sensitivities(const std::vector<Mode>& modes, co
 std::vector<Sensitivity> Model::sensitivities(const CriticalSpeeds& found, const std::vector<std::string>& keys) const {
   return gyromode::sensitivities(*body, found, body->speed_key(), keys);
 }
-Campbell Model::campbell(const CampbellOptions& options) const { return gyromode::campbell(body->spin_source(), options); }
+Campbell Model::campbell(const CampbellOptions& options) const { return body->campbell(options); }
 StructureReport Model::structure(std::optional<double> at) const { return body->structure(at); }
 ResponseReport Model::response(const MotionRequest& request) const { return body->response(request); }
 FrequencyReport Model::frequency_response(const FrequencyRequest& request) const { return body->frequency_response(request); }

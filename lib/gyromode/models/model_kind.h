@@ -6,6 +6,7 @@
 #include "gyromode/models/requests.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/spectrum/energy_share.h"
+#include "gyromode/sweep/campbell.h"
 #include "gyromode/sweep/critical_speeds.h"
 #include "gyromode/sweep/spin_sample.h"
 
@@ -76,6 +77,18 @@ class ModelKind {
 
   /// What it says of itself to a sweep over its spin. Throws NotApplicable where it does not say how it depends on one.
   virtual SpinSource spin_source() const;
+
+  /// Frequencies over the spin. @throws as spin_source()
+  virtual Campbell campbell(const CampbellOptions& options) const { return gyromode::campbell(spin_source(), options); }
+
+  /// ∂H/∂Ω X and −∂H/∂ω X of shapes X, n × m, at ω.
+  struct SpinSlopes {
+    ComplexMatrix by_spin, form;
+  };
+  /// Of a large model that says how it depends on its spin; else nothing.
+  virtual std::optional<SpinSlopes> spin_slopes(double omega [[maybe_unused]], const ComplexMatrix& shapes [[maybe_unused]]) const {
+    return std::nullopt;
+  }
 
   /// The key of its spin.
   virtual std::string speed_key() const { return "spin"; }

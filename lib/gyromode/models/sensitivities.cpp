@@ -113,9 +113,26 @@ class OfFunction : public Impedances {
   double value_ = 0, omega_ = 1;
 };
 
+// A large model whose only number is its spin.
+class OfSpin : public Impedances {
+ public:
+  explicit OfSpin(const ModelKind& model) : model_(model) {}
+  ParameterMatrices with(const ModelKind&, const std::vector<ParameterValue>&) const override { return {}; }
+  bool choose(const MatricesAt&, double) override { return true; }
+  std::optional<Derivatives> at(double w, const ComplexMatrix& x) override {
+    auto slopes = model_.spin_slopes(w, x);
+    if (!slopes) return std::nullopt;
+    return Derivatives{std::move(slopes->by_spin), std::move(slopes->form), {}};
+  }
+
+ private:
+  const ModelKind& model_;
+};
+
 std::unique_ptr<Impedances> impedances_of(const ModelKind& model) {
   if (!model.matrices().empty()) return std::make_unique<OfMatrices>(model);
   if (model.transcendental()) return std::make_unique<OfFunction>(model);
+  if (model.parameter("spin")) return std::make_unique<OfSpin>(model);
   throw NotApplicable(fmt::format("sensitivities need a model of matrices, a rotor or a spacecraft; this one is: {}", model.in_words()));
 }
 

@@ -78,11 +78,24 @@ void require_shared_directions(const Nodes& nodes, const Eigen::Matrix3d& cross)
 
 }  // namespace
 
+SparseMatrix stiffness_per_spin2(const StructureParts& p) { return (p.stiffness - p.stiffness_at_rest) / (p.spin * p.spin); }
+
+StructureParts at_spin(const StructureParts& parts, double spin) {
+  StructureParts p = parts;
+  const double share = spin / parts.spin * (spin / parts.spin);
+  if (spin != parts.spin) p.stiffness = SparseMatrix(share * parts.stiffness + (1 - share) * parts.stiffness_at_rest);
+  p.spin = spin;
+  if (spin == 0) p.stiffness_at_rest.resize(0, 0);
+  return p;
+}
+
 SparseMatrices assembled(const StructureParts& p) {
   const Index n = p.mass.cols();
   if (static_cast<Index>(p.coordinates.size()) != n || p.stiffness.cols() != n)
     throw LawBroken(fmt::format("mass of order {}, stiffness of order {} and {} coordinates: they must agree", n, p.stiffness.cols(),
                                 p.coordinates.size()));
+  if (p.stiffness_at_rest.cols() > 0 && p.stiffness_at_rest.cols() != n)
+    throw LawBroken(fmt::format("stiffness at rest of order {}, mass of order {}: they must agree", p.stiffness_at_rest.cols(), n));
   const Nodes nodes(p.coordinates);
   const Eigen::Matrix3d cross = cross_of(p.axis);
   if (p.spin != 0) require_shared_directions(nodes, cross);

@@ -30,7 +30,14 @@ struct StructureParts {
   std::array<double, 3> axis{0, 0, 1};           ///< of the spin; any length but zero
   std::vector<std::array<double, 3>> positions;  ///< of the node of every coordinate; empty: not known
   std::optional<MeshSymmetry> symmetry;          ///< one that it has; else coordinate planes and half-turns about coordinate axes are tried
+  SparseMatrix stiffness_at_rest;                ///< K of the mesh at rest, likewise; 0 × 0: how K depends on the spin is not known
 };
+
+/// The same at another spin: what the spin does to K, its stress and its softening, goes with Ω². Of parts with a spin
+/// and K at rest.
+StructureParts at_spin(const StructureParts& parts, double spin);
+/// (K − K at rest)/Ω², lower triangle.
+SparseMatrix stiffness_per_spin2(const StructureParts& parts);
 
 /// M, K and G = 2ΩM[a]×, a the unit axis: of mass that is the same in all directions and couples none, as that of
 /// displacements of nodes is. @throws LawBroken, with the nodes named, where mass couples directions or differs between

@@ -14,10 +14,18 @@ class StructureModel : public SparseMatricesModel {
 
   StructureReport structure(std::optional<double> at) const override;
   std::vector<std::string> doubts(bool fixed_axes) const override;
+  /// Where K at rest is known; else NotApplicable. At every spin by modes() there, between them by a projection.
+  Campbell campbell(const CampbellOptions& options) const override;
+  std::optional<SpinSlopes> spin_slopes(double omega, const ComplexMatrix& shapes) const override;
+
+  /// The spin, where K at rest is known.
+  std::vector<Parameter> parameters() const override;
+  std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
 
  private:
   MeshFacts facts_;
   double spin_ = 0;
+  std::shared_ptr<const StructureParts> parts_;  // where K at rest is known
 };
 
 /// The same of few coordinates, answered by the dense engine: all verbs that matrices at one spin have.
@@ -26,6 +34,10 @@ class SmallStructureModel : public DelegatingModel {
   explicit SmallStructureModel(StructureParts parts);
   ModesResult modes(const ModesOptions& options) const override;
   StructureReport structure(std::optional<double> at) const override;
+  Campbell campbell(const CampbellOptions& options) const override;
+  /// The spin, where K at rest is known.
+  std::vector<Parameter> parameters() const override;
+  std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
 
  private:
   StructureParts parts_;

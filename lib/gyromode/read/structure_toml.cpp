@@ -15,7 +15,7 @@ namespace gyromode::io {
 
 namespace {
 
-constexpr std::array<std::string_view, 15> keys{"gyroscopic", "kind", "title", "reference", "known",       "parameters", "frame",    "mass",
+constexpr std::array<std::string_view, 16> keys{"stiffness_at_rest", "gyroscopic", "kind", "title", "reference", "known",       "parameters", "frame",    "mass",
                                                 "stiffness",  "dofs", "spin",  "axis",      "coordinates", "mirror",     "half_turn"};
 
 std::filesystem::path place_of(const TomlTable& table, std::string_view key) {
@@ -70,6 +70,11 @@ StructureParts read_structure(const TomlTable& table, Digest& digest) {
     p.symmetry = MeshSymmetry{kind, {direction[0], direction[1], direction[2]}};
   }
   p.spin = table.frequency("spin").value_or(0);
+  if (table.has("stiffness_at_rest")) {
+    if (p.spin == 0)
+      table.fail("stiffness_at_rest", "'stiffness_at_rest' says what the spin adds to 'stiffness', and needs 'spin' = that of 'stiffness', not 0");
+    p.stiffness_at_rest = read_triplets(file_named(table, "stiffness_at_rest", digest), n, 1);
+  }
   const std::vector<double> axis = table.numbers("axis");
   if (!axis.empty() && axis.size() != 3)
     table.fail("axis", fmt::format("'axis' has {} numbers: the three of a direction were expected", axis.size()));
@@ -79,7 +84,7 @@ StructureParts read_structure(const TomlTable& table, Digest& digest) {
 
 SparseMatrices read_sparse_matrices(const TomlTable& table, Digest& digest) {
   table.allow_only(keys);
-  for (const std::string_view key : {"spin", "axis", "coordinates", "mirror", "half_turn"}) {
+  for (const std::string_view key : {"spin", "axis", "coordinates", "mirror", "half_turn", "stiffness_at_rest"}) {
     if (table.has(key))
       table.fail(key,
                  fmt::format("'{}' is for G that is made of M, and 'gyroscopic' gives G by its own file: one of them was expected", key));

@@ -116,7 +116,10 @@ std::optional<RootSlopes> root_slopes(const ComplexMatrix& x, const ComplexMatri
   const ComplexMatrix in_unit = sign * (unit.adjoint() * (0.5 * (d + d.adjoint())) * unit);
   RootSlopes r{small::hermitian_eigenvalues(in_unit), Vector(x.cols())};
   const Matrix size = (x * unit).cwiseAbs();
-  r.error.setConstant((size.transpose() * error * size).norm());
+  if (error.size() > 0)
+    r.error.setConstant((size.transpose() * error * size).norm());
+  else
+    r.error.setConstant(rounding_unit(x.rows()) * (size.transpose() * (dx * unit).cwiseAbs()).norm());
   return r;
 }
 

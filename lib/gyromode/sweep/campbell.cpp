@@ -14,8 +14,6 @@
 
 namespace gyromode {
 
-namespace {
-
 void require(const CampbellOptions& o) {
   if (o.spins.size() < 2) throw InvalidArgument("a diagram over the spin has two spins or more");
   if (!std::is_sorted(o.spins.begin(), o.spins.end()) || !std::isfinite(o.spins.back() - o.spins.front()) ||
@@ -27,6 +25,8 @@ void require(const CampbellOptions& o) {
     if (!(m >= 0) || !std::isfinite(m)) throw InvalidArgument(fmt::format("order {}: a multiple of the speed, 0 or more, was expected", m));
   }
 }
+
+namespace {
 
 // Branches by frequency; of two that coincide the one that falls first.
 std::vector<Index> in_order(const SpinTrack::Point& p) {

@@ -24,6 +24,9 @@ struct CampbellBranch {
   std::vector<std::optional<SampledMode>> modes;  ///< without shapes
 };
 
+/// @throws InvalidArgument for fewer than two spins, or spins and bounds that are none
+void require(const CampbellOptions& options);
+
 /// What a diagram of frequencies over the spin shows.
 struct Campbell {
   std::vector<double> spins;              ///< looked at, ascending

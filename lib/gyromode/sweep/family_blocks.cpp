@@ -64,7 +64,7 @@ void normalise(Hermitian& h) {
 
 // What rounding mixes of a neighbour into an eigenvector of a matrix of norm 1, times a coupling of up to 1: a coupling
 // up to there is none.
-double couplings_from(Index n, double gap) { return 32 * rounding_unit(n) * (1 + 1 / gap); }
+double couplings_from(double unit, double gap) { return 32 * unit * (1 + 1 / gap); }
 
 // Leading eigenvectors of a combination. High frequencies have small eigenvalues, near to each other: where rounding
 // would hide their couplings they are left out. Those of one eigenvalue are determined as a set, a cluster.
@@ -76,7 +76,7 @@ struct Element {
   double smallest_gap() const { return gap.empty() ? 1 : *std::min_element(gap.begin(), gap.end()); }
 };
 
-Element decomposed(const std::vector<Hermitian>& generators, double ratio) {
+Element decomposed(const std::vector<Hermitian>& generators, double unit, double ratio) {
   constexpr double same = 1e-10, decided = 1e-3;
   const Index n = generators.front().re.rows();
   Matrix re = Matrix::Zero(n, n), im;
@@ -107,7 +107,7 @@ Element decomposed(const std::vector<Hermitian>& generators, double ratio) {
   Element all;
   std::vector<Index> kept;
   for (std::size_t c = 0; c < first.size(); ++c) {
-    if (!(couplings_from(n, gap[c]) < decided * std::abs(e.values(first[c])))) continue;
+    if (!(couplings_from(unit, gap[c]) < decided * std::abs(e.values(first[c])))) continue;
     for (Index k = first[c]; k < (c + 1 < first.size() ? first[c + 1] : n); ++k) {
       kept.push_back(k);
       all.cluster.push_back(static_cast<Index>(all.gap.size()));
@@ -121,14 +121,14 @@ Element decomposed(const std::vector<Hermitian>& generators, double ratio) {
 
 // The one of a few combinations whose eigenvalues are farthest apart: the weights are irregular, so that different
 // blocks have different ones.
-Element generic_element(const std::vector<Hermitian>& generators) {
+Element generic_element(const std::vector<Hermitian>& generators, double unit) {
   constexpr Index small_order = 64;
   constexpr double far = 1e-2;
-  Element best = decomposed(generators, -0.7390851332151607);
+  Element best = decomposed(generators, unit, -0.7390851332151607);
   if (generators.front().re.rows() > small_order) return best;
   for (const double ratio : {0.5671432904097838, -1.3247179572447460, 0.4142135623730951, -0.6180339887498949}) {
     if (best.smallest_gap() > far || generators.size() < 2) break;
-    Element other = decomposed(generators, ratio);
+    Element other = decomposed(generators, unit, ratio);
     if (other.cluster.back() > best.cluster.back() ||
         (other.cluster.back() == best.cluster.back() && other.smallest_gap() > best.smallest_gap()))
       best = std::move(other);
@@ -137,9 +137,8 @@ Element generic_element(const std::vector<Hermitian>& generators) {
 }
 
 // For every eigenvector the set that it belongs to, by the couplings of the generators.
-std::vector<Index> coupled(const Element& e, const std::vector<Hermitian>& generators) {
+std::vector<Index> coupled(const Element& e, const std::vector<Hermitian>& generators, double unit) {
   Sets sets(static_cast<Index>(e.gap.size()));
-  const Index n = e.vectors.rows();
   for (const Hermitian& g : generators) {
     ComplexMatrix c = e.vectors.adjoint() * (g.re * e.vectors);
     if (g.im.size() > 0) c += imaginary_unit * (e.vectors.adjoint() * (g.im * e.vectors));
@@ -147,7 +146,7 @@ std::vector<Index> coupled(const Element& e, const std::vector<Hermitian>& gener
       const auto to = static_cast<std::size_t>(e.cluster[static_cast<std::size_t>(col)]);
       for (Index row = 0; row < col; ++row) {
         const auto from = static_cast<std::size_t>(e.cluster[static_cast<std::size_t>(row)]);
-        if (from != to && std::abs(c(row, col)) > couplings_from(n, e.gap[from]) + couplings_from(n, e.gap[to]))
+        if (from != to && std::abs(c(row, col)) > couplings_from(unit, e.gap[from]) + couplings_from(unit, e.gap[to]))
           sets.join(static_cast<Index>(from), static_cast<Index>(to));
       }
     }
@@ -159,7 +158,8 @@ std::vector<Index> coupled(const Element& e, const std::vector<Hermitian>& gener
 
 }  // namespace
 
-FamilyBlocks::FamilyBlocks(const SpinFamily& family, double reach) {
+FamilyBlocks::FamilyBlocks(const SpinFamily& family, double reach, double noise)
+    : noise_(noise) {
   const Structure structure = structure_of(family);
   for (const Component& c : structure.components) add_part(family, reach, c.coordinates, c.in_quadrature, c.quadrature());
 }
@@ -179,8 +179,9 @@ void FamilyBlocks::add_part(const SpinFamily& f, double reach, const std::vector
   for (Hermitian& g : generators) congruence(lower, g);
   std::erase_if(generators, [](const Hermitian& g) { return !(norm_of(g) > 0); });
   for (Hermitian& g : generators) normalise(g);
-  const Element e = generic_element(generators);
-  const std::vector<Index> set = coupled(e, generators);
+  const double unit = std::max(noise_, rounding_unit(n));
+  const Element e = generic_element(generators, unit);
+  const std::vector<Index> set = coupled(e, generators, unit);
   const Index p = e.vectors.cols();
   Part part{coordinates, {}, std::vector<Index>(static_cast<std::size_t>(p))};
   part.rows = axes.given(lower * e.vectors).adjoint();  // UᴴLᵀT* = (TLU)ᴴ

@@ -18,8 +18,9 @@ namespace gyromode {
 /// size of rounding are none.
 class FamilyBlocks {
  public:
-  /// `reach`: the frequencies of interest are below it, rad per unit of time.
-  FamilyBlocks(const SpinFamily& family, double reach);
+  /// `reach`: the frequencies of interest are below it, rad per unit of time. `noise` of the entries, relative: couplings
+  /// of its size are none, as those of rounding.
+  FamilyBlocks(const SpinFamily& family, double reach, double noise = 0);
 
   Index count() const { return count_; }
   /// The squares of the parts of a shape in each block, relative to all of it (norm of S).
@@ -42,6 +43,7 @@ class FamilyBlocks {
                 bool partition);
   ComplexMatrix in_eigenvectors(const Part& part, const ComplexMatrix& shapes) const;
 
+  double noise_;
   Index count_ = 0;
   std::vector<Part> parts_;
 };

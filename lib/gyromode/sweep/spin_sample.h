@@ -41,6 +41,11 @@ struct SpinSource {
   std::function<ComplexMatrix(double omega, double spin)> impedance;
   std::shared_ptr<const SpinFamily> family;  ///< null of others
   std::vector<OrbitCoordinates> places;      ///< whose orbits say how a mode whirls
+  /// The coordinates that `places` number, of a shape of the family; empty: those of the shape.
+  std::function<ComplexVector(const ComplexVector& shape)> seen;
+  /// The family is the projection of a larger one: what it says of the whole it says to the errors of its modes, and
+  /// counts of it are no counts of the whole.
+  bool projected = false;
   std::vector<OrbitCoordinates> transverse;  ///< components x and y of all vectors across the axis: places and tilts
 };
 

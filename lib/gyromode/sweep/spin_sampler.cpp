@@ -87,13 +87,14 @@ SpinSampler::SpinSampler(SpinSource source, SampledModes wanted, double first, d
   constexpr Index large = 48;
   if (!source_.family) return;
   const bool bounded = wanted_.lowest || std::isfinite(wanted_.below);
-  if (source_.family->mass.rows() >= large && bounded) {
+  if (source_.family->mass.rows() >= large && bounded && !source_.projected) {
     reduce(first, last);
     return;
   }
   double reach = wanted_.below;
   if (!std::isfinite(reach)) reach = highest_of(source_.modes(0.5 * (first + last), options_for(wanted_)));
-  blocks_.emplace(*source_.family, reach);
+  constexpr double noise = 1e-8;  // of shapes, in a projection on them
+  blocks_.emplace(*source_.family, reach, source_.projected ? noise : 0);
 }
 
 // Spins are solved until the space of their shapes serves half way between every two of them.
@@ -168,8 +169,9 @@ SampledMode SpinSampler::sampled(double spin, double omega, const Mode& mode, co
   s.energy_sign = mode.energy_sign;
   s.multiplicity = mode.multiplicity;
   s.shape = normalised(shape);
-  s.whirl = whirl_of(s.shape, source_.places, spin);
-  s.fixed_axes = in_fixed_axes(s.shape, omega, spin, source_.places);
+  const ComplexVector seen = source_.seen ? source_.seen(s.shape) : s.shape;
+  s.whirl = whirl_of(seen, source_.places, spin);
+  s.fixed_axes = in_fixed_axes(seen, omega, spin, source_.places);
   if (source_.family) {
     const Place at{*source_.family, spin, omega};
     const double form = std::real(s.shape.dot(at.form(s.shape).col(0)));

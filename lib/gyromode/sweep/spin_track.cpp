@@ -33,40 +33,47 @@ double mismatch(const SampledMode& a, const SampledMode& b, double step) {
   return std::min(plain, std::abs(b.omega - a.omega - step * (*a.slope + *b.slope) / 2));
 }
 
-// The order-keeping assignment of the shorter list to the longer with the least sum of mismatches, by dynamic
-// programming: result[i] is the position in `longer` of item i of `shorter`.
-std::vector<std::size_t> best_order(const std::vector<Index>& shorter, const std::vector<Index>& longer,
-                                    const std::function<double(Index, Index)>& cost) {
-  const std::size_t p = shorter.size(), q = longer.size();
-  std::vector<std::vector<double>> sum(p + 1, std::vector<double>(q + 1, infinity));
-  for (std::size_t k = 0; k <= q; ++k) sum[0][k] = 0;
-  for (std::size_t i = 1; i <= p; ++i) {
-    for (std::size_t k = i; k <= q; ++k) sum[i][k] = std::min(sum[i][k - 1], sum[i - 1][k - 1] + cost(shorter[i - 1], longer[k - 1]));
-  }
-  std::vector<std::size_t> at(p);
-  for (std::size_t i = p, k = q; i > 0; --k) {
-    if (k > i && sum[i][k] == sum[i][k - 1]) continue;
-    at[--i] = k - 1;
-  }
-  return at;
-}
-
-// The same, of neighbours to neighbours.
-std::vector<std::size_t> best_shift(const std::vector<Index>& shorter, const std::vector<Index>& longer,
-                                    const std::function<double(Index, Index)>& cost) {
-  std::size_t best = 0;
-  double least = infinity;
-  for (std::size_t shift = 0; shift + shorter.size() <= longer.size(); ++shift) {
-    double sum = 0;
-    for (std::size_t i = 0; i < shorter.size(); ++i) sum += cost(shorter[i], longer[shift + i]);
-    if (sum < least) {
-      least = sum;
-      best = shift;
+// For every item of `to` the position in `from` that it continues, in their order, or −1: the least sum of mismatches,
+// where an item of either list that has no partner costs `alone`. `ends`: only the first and the last items of a list
+// are alone.
+std::vector<Index> aligned(const std::vector<Index>& from, const std::vector<Index>& to, double alone, bool ends,
+                           const std::function<double(Index, Index)>& mismatch_of) {
+  const std::size_t p = from.size(), q = to.size();
+  std::vector<std::vector<double>> sum(p + 1, std::vector<double>(q + 1, 0));
+  const auto step = [&](std::size_t i, std::size_t k) { return mismatch_of(from[i - 1], to[k - 1]); };
+  // Before the first pair and after the last one anything may be alone, in both lists; between them nothing may, if
+  // `ends`.
+  for (std::size_t i = 0; i <= p; ++i) {
+    for (std::size_t k = 0; k <= q; ++k) {
+      double& best = sum[i][k];
+      best = alone * static_cast<double>(i + k);
+      if (i > 0 && k > 0) best = std::min(best, sum[i - 1][k - 1] + step(i, k));
+      if (!ends && i > 0) best = std::min(best, sum[i - 1][k] + alone);
+      if (!ends && k > 0) best = std::min(best, sum[i][k - 1] + alone);
     }
   }
-  std::vector<std::size_t> at;
-  for (std::size_t i = 0; i < shorter.size(); ++i) at.push_back(best + i);
-  return at;
+  std::size_t i = p, k = q;
+  double least = infinity;
+  for (std::size_t a = 0; a <= p; ++a) {
+    for (std::size_t b = 0; b <= q; ++b) {
+      const double all = sum[a][b] + alone * static_cast<double>(p - a + q - b);
+      if (all > least || (all == least && a + b < i + k)) continue;
+      least = all;
+      i = a;
+      k = b;
+    }
+  }
+  std::vector<Index> partner(q, -1);
+  while (i > 0 && k > 0 && sum[i][k] < alone * static_cast<double>(i + k)) {
+    if (sum[i][k] == sum[i - 1][k - 1] + step(i, k)) {
+      partner[--k] = static_cast<Index>(--i);
+    } else if (!ends && sum[i][k] == sum[i - 1][k] + alone) {
+      --i;
+    } else {
+      --k;
+    }
+  }
+  return partner;
 }
 
 }  // namespace
@@ -90,24 +97,21 @@ SpinTrack::Joined SpinTrack::join(const SpinSample& a, const SpinSample& b) {
   auto before = lists_of(a);
   for (const auto& [key, to] : lists_of(b)) {
     const std::vector<Index>& from = before[key];
-    if (same || from.size() == to.size()) {
+    if (same) {
       for (std::size_t k = 0; k < std::min(from.size(), to.size()); ++k) joined.from[static_cast<std::size_t>(to[k])] = from[k];
-      if (same) continue;
-    } else {
-      const bool fewer = to.size() < from.size();
-      const auto cost = [&](Index x, Index y) {
-        return mismatch(a.modes[static_cast<std::size_t>(fewer ? y : x)], b.modes[static_cast<std::size_t>(fewer ? x : y)], step);
-      };
-      // Without flutter a root comes and goes at the ends of a list: through zero, or through the end of the window.
-      const bool at_the_ends = a.balance.closed && b.balance.closed && a.balance.quadruples == b.balance.quadruples;
-      const std::vector<Index>&shorter = fewer ? to : from, &longer = fewer ? from : to;
-      const std::vector<std::size_t> at = at_the_ends ? best_shift(shorter, longer, cost) : best_order(shorter, longer, cost);
-      for (std::size_t k = 0; k < at.size(); ++k) {
-        if (fewer)
-          joined.from[static_cast<std::size_t>(to[k])] = from[at[k]];
-        else
-          joined.from[static_cast<std::size_t>(to[at[k]])] = from[k];
-      }
+      continue;
+    }
+    if (from.empty()) continue;
+    // Without flutter a root comes and goes at the ends of a list: through zero, or through the end of the window.
+    const bool ends = a.balance.closed && b.balance.closed && a.balance.quadruples == b.balance.quadruples;
+    constexpr double part_of_gaps = 0.25;
+    const double last = std::max(a.modes[static_cast<std::size_t>(from.back())].omega, b.modes[static_cast<std::size_t>(to.back())].omega);
+    const double alone = part_of_gaps * last / static_cast<double>(std::max(from.size(), to.size()));
+    const std::vector<Index> partner = aligned(from, to, alone, ends, [&](Index x, Index y) {
+      return mismatch(a.modes[static_cast<std::size_t>(x)], b.modes[static_cast<std::size_t>(y)], step);
+    });
+    for (std::size_t k = 0; k < to.size(); ++k) {
+      if (partner[k] >= 0) joined.from[static_cast<std::size_t>(to[k])] = from[static_cast<std::size_t>(partner[k])];
     }
     // Sure where every root moves by much less than what is between it and the others: what veers is not torn apart.
     constexpr double part = 0.25;
