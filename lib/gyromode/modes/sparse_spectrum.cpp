@@ -16,7 +16,9 @@ SparseSpectrum::SparseSpectrum(const SparseSystem& system, const Progress& progr
       structure_(sparse::analyse(system)),
       searches_((progress.stage("factorisation of K"), system), structure_),
       balance_(system, searches_, progress),
-      counts_(system, searches_, balance_) {}
+      counts_(system, searches_, balance_) {
+  if (balance_.index().closed) searches_.know({balance_.negative(), balance_.unstable()});
+}
 
 RootRange SparseSpectrum::roots(const Window& range, const Progress& progress) const {
   if (range.open()) throw InvalidArgument(why_an_end() + "a window with two ends or the number of lowest ones is needed");

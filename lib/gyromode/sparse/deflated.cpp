@@ -78,19 +78,17 @@ Parts of_groups(const FreeMotions& f, Index n, bool leading) {
 
 }  // namespace
 
-Deflated::Deflated(std::unique_ptr<Inverse> of, const Groups& groups, const FreeMotions& free) : of_(std::move(of)) {
+TakenAway free_states(const FreeMotions& free, const Groups& groups, const Inverse& of) {
   const Index n = free.n.rows();
-  const Parts p = groups.partition ? of_groups(free, n, of_->leading_group() == 1) : of_pairs(free, n);
-  const auto in_states = [&](const Matrix& x) { return groups.partition ? of_->states(x) : x; };
-  out_ = in_states(p.out);
-  weight_ = in_states(p.weight);
-  e_out_ = in_states(p.e_out);
+  const Parts p = groups.partition ? of_groups(free, n, of.leading_group() == 1) : of_pairs(free, n);
+  const auto in_states = [&](const Matrix& x) { return groups.partition ? of.states(x) : x; };
+  return {in_states(p.out), in_states(p.weight), in_states(p.e_out)};
 }
 
-States Deflated::without_free(States w) const {
-  const Matrix c = lapack::multiply_tn(weight_, w.x);
-  lapack::multiply_into(w.x, -1, out_, false, c, false, 1);
-  lapack::multiply_into(w.ex, -1, e_out_, false, c, false, 1);
+States Deflated::without(States w) const {
+  const Matrix c = lapack::multiply_tn(states_.weight, w.x);
+  lapack::multiply_into(w.x, -1, states_.out, false, c, false, 1);
+  lapack::multiply_into(w.ex, -1, states_.e_out, false, c, false, 1);
   return w;
 }
 

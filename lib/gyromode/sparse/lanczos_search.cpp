@@ -26,12 +26,13 @@ std::vector<Index> some_of(const std::vector<Index>& all, std::size_t first) {
 }  // namespace
 
 LanczosSearch::LanczosSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, const FreeMotions& free,
-                             std::unique_ptr<Inverse> inverse, Index wanted)
+                             std::unique_ptr<Inverse> inverse, std::vector<double> beside, Index wanted)
     : system_(system),
       groups_(groups),
       norms_(norms),
       free_(free),
       inverse_(std::move(inverse)),
+      beside_(std::move(beside)),
       lanczos_(*inverse_, system.size(), width, room_for(wanted, inverse_->length() > system.size())),
       stiffest_(system.stiffness().diagonal().cwiseQuotient(system.mass().diagonal()).cwiseAbs().maxCoeff()) {}
 
@@ -60,7 +61,7 @@ Search::Found LanczosSearch::found(const Window& range) const {
   constexpr double close = 1e-6;  // of what is far from converged nothing is made
   const Lanczos::Ritz r = lanczos_.ritz();
   std::vector<Index> on_axis, spanned;
-  std::vector<double> omega;
+  std::vector<double> omega = beside_;
   for (Index k = 0; k < r.theta.size(); ++k) {
     const double square = inverse_->square(r.theta(k));
     if (square > 0) omega.push_back(std::sqrt(square));

@@ -12,9 +12,10 @@ namespace gyromode::sparse {
 /// By Lanczos with an operator that is (skew-)self-adjoint in a definite inner product; what it finds is projected on.
 class LanczosSearch : public Search {
  public:
-  /// `wanted`: about how many roots will be asked for.
+  /// `beside`: roots that the operator does not have, for the gaps between all; `wanted`: about how many roots will be
+  /// asked for.
   LanczosSearch(const SparseSystem& system, const Groups& groups, const Norms& norms, const FreeMotions& free,
-                std::unique_ptr<Inverse> inverse, Index wanted);
+                std::unique_ptr<Inverse> inverse, std::vector<double> beside, Index wanted);
 
   bool step() override { return lanczos_.step(); }
   void refresh(Index width) override { lanczos_.refresh(width); }
@@ -32,6 +33,7 @@ class LanczosSearch : public Search {
   const Norms& norms_;
   const FreeMotions& free_;
   std::unique_ptr<Inverse> inverse_;
+  std::vector<double> beside_;
   Lanczos lanczos_;
   double stiffest_;  // about the largest ω² at rest
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gyromode/sparse/known_motions.h"
 #include "gyromode/sparse/search.h"
 #include "gyromode/sparse/shifted.h"
 #include "gyromode/sparse/stiffness.h"
@@ -28,6 +29,9 @@ class Searches {
   /// About a shift, σ = 0 being K, or where that is singular a frequency below the others; `wanted`: about how many
   /// roots will be asked for.
   std::unique_ptr<Search> about(double sigma, Index wanted) const;
+  /// All motions that the energy is not positive on: searches from now on leave them aside, where K is of neither sign in
+  /// both blocks, and are as fast as of K > 0.
+  void know(KnownMotions motions);
   /// The one about 0, which goes on where it was left.
   Search& about_zero(Index wanted) const;
   /// Forgets it: it makes room.
@@ -45,6 +49,10 @@ class Searches {
   /// The block of K that is positive semidefinite, definite where there is one, or −1.
   Index leading_block() const;
   double lowest_shift() const;
+  /// The operator about a shift, 0 being K, without free motions; `first`: the block of K that it begins with.
+  std::unique_ptr<Inverse> inverse_about(double sigma, Index first) const;
+  /// The same without the motions that are known; null where these are none, or do not serve.
+  std::unique_ptr<Inverse> inverse_beside_known(double sigma) const;
 
   const SparseSystem& system_;
   Groups groups_;
@@ -52,6 +60,9 @@ class Searches {
   StiffnessFactors stiffness_;
   FreeMotions free_;
   ShiftedImpedance impedance_;
+  KnownMotions known_;
+  States known_states_;  // in the order of coordinates; of no columns where they do not serve
+  Index known_leads_ = 0;
   mutable std::unique_ptr<Search> at_zero_;
 };
 
