@@ -57,7 +57,8 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   const BrickMesh mesh = kind == "disc" ? bladed_disc(blades, fine, twist, lean)
                                         : box({size[0], size[1], size[2]}, {bricks[0], bricks[1], bricks[2]}, kind == "cantilever");
-  const StructureParts p = assembled_bricks(mesh, {}, spin, kind == "shaft" || stressed ? displacement_under_spin(mesh, {}, spin) : Vector());
+  const StructureParts p =
+      assembled_bricks(mesh, {}, spin, kind == "shaft" || stressed ? displacement_under_spin(mesh, {}, spin) : Vector());
   std::filesystem::create_directories(folder);
   const std::filesystem::path to = folder;
   write(p.mass, to / "model.mas");

@@ -15,6 +15,7 @@ namespace {
 StructureParts with_rest(const bench::BrickMesh& mesh, double spin, bool stressed) {
   StructureParts p = assembled_bricks(mesh, {}, spin, stressed ? displacement_under_spin(mesh, {}, spin) : Vector());
   p.stiffness_at_rest = assembled_bricks(mesh, {}, 0).stiffness;
+  for (const MeshCoordinate& c : p.coordinates) p.positions.push_back(mesh.nodes[static_cast<std::size_t>(c.node - 1)]);
   return p;
 }
 
@@ -100,6 +101,52 @@ TEST(LargeCampbell, SlopesAreTheSensitivityToTheSpin) {
   const ModesResult above = large.with({{"spin", 150 + step}}).modes(o), below = large.with({{"spin", 150 - step}}).modes(o);
   for (std::size_t k = 0; k < 6; ++k)
     EXPECT_NEAR(of_large[0].slope[k], (above.modes[k].omega - below.modes[k].omega) / (2 * step), 1e-5) << k;
+}
+
+// A chain between walls: |ω_k ± Ω| across the axis, ω_k along it.
+TEST(LargeCampbell, OfAChainIsItsClosedForm) {
+  const Index nodes = 12;
+  std::vector<Eigen::Triplet<double>> mass, rest, turning;
+  StructureParts p;
+  p.spin = 0.3;
+  const auto add = [&](Index row, Index column, double k, double softening) {
+    rest.emplace_back(static_cast<int>(row), static_cast<int>(column), k);
+    turning.emplace_back(static_cast<int>(row), static_cast<int>(column), k - softening);
+  };
+  for (Index i = 0; i < nodes; ++i) {
+    for (Index d = 0; d < 3; ++d) {
+      const Index at = 3 * i + d;
+      mass.emplace_back(static_cast<int>(at), static_cast<int>(at), 2.0);
+      add(at, at, 10, d < 2 ? 2 * p.spin * p.spin : 0);
+      if (i > 0) add(at, at - 3, -5, 0);
+      p.coordinates.push_back({static_cast<long>(i + 1), static_cast<int>(d)});
+    }
+  }
+  const auto matrix = [&](const auto& entries) {
+    SparseMatrix a(3 * nodes, 3 * nodes);
+    a.setFromTriplets(entries.begin(), entries.end());
+    return a;
+  };
+  p.mass = matrix(mass);
+  p.stiffness = matrix(turning);
+  p.stiffness_at_rest = matrix(rest);
+  const Campbell c = StructureModel(p).campbell(over(0.05, 2.05, 9, 6));
+  EXPECT_TRUE(c.is_complete());
+  for (std::size_t s = 0; s < c.spins.size(); ++s) {
+    std::vector<double> known, found;
+    for (Index k = 1; k <= nodes; ++k) {
+      const double along = 2 * std::sqrt(2.5) * std::sin(static_cast<double>(k) * std::acos(-1.0) / (2 * (nodes + 1)));
+      for (const double w : {along, along + c.spins[s], std::abs(along - c.spins[s])}) known.push_back(w);
+    }
+    std::sort(known.begin(), known.end());
+    for (const CampbellBranch& b : c.branches) {
+      if (b.modes[s]) found.push_back(b.modes[s]->omega);
+    }
+    std::sort(found.begin(), found.end());
+    ASSERT_GE(found.size(), 6U);
+    for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(found[k], known[k], 1e-10 * known[k]) << c.spins[s];
+  }
+  for (const Encounter& e : c.encounters) EXPECT_EQ(e.kind, EncounterKind::crossing) << e.spin << " " << e.omega;
 }
 
 TEST(LargeCampbell, NeedsTheStiffnessAtRest) {

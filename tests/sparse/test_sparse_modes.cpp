@@ -1,7 +1,10 @@
 // Modes of sparse systems: exactly known spectra, the dense engine, and what is refused.
 #include "gyromode/base/error.h"
+#include "gyromode/models/mesh_symmetry.h"
 #include "gyromode/models/structure_mesh.h"
 #include "gyromode/modes/modes.h"
+#include "gyromode/sparse/matrix.h"
+#include "meshes/bricks.h"
 #include "sparse/as_dense.h"
 #include "support/random_matrices.h"
 
@@ -141,6 +144,38 @@ TEST(SparseModes, AreThoseOfTheDenseEngine) {
 }
 
 // Copies of one chain: every frequency as many times as there are copies, more than a block has columns.
+// Both blocks of K have negative directions: Lanczos beside the motions that make them, of any spin.
+TEST(SparseModes, BeyondTheFirstCriticalSpeeds) {
+  const bench::BrickMesh mesh = bench::box({0.1, 0.104, 1.0}, {2, 2, 10}, true);
+  for (const double spin : {640.0, 660.0, 1500.0, 3900.0, 6400.0}) {
+    const SparseMatrices m = assembled(assembled_bricks(mesh, {}, spin));
+    const ModesResult dense = find_modes(System(sparse::full(m.mass, 1), sparse::full(m.gyroscopic, -1), sparse::full(m.stiffness, 1)));
+    for (const bool partition : {true, false}) {
+      StructureParts parts = assembled_bricks(mesh, {}, spin);
+      for (const MeshCoordinate& c : parts.coordinates) parts.positions.push_back(mesh.nodes[static_cast<std::size_t>(c.node - 1)]);
+      const SparseSystem s(partition ? in_symmetric_coordinates(parts) : assembled(parts));
+      ModesOptions o;
+      o.lowest = 12;
+      const ModesResult r = find_modes(s, o);
+      EXPECT_TRUE(r.is_complete()) << spin << " " << partition << ": " << r.coverage.reason;
+      EXPECT_EQ(r.stability, dense.stability) << spin;
+      ASSERT_GE(r.modes.size(), 12U);
+      for (std::size_t k = 0; k < r.modes.size(); ++k) {
+        EXPECT_NEAR(r.modes[k].omega, dense.modes[k].omega, 1e-9 * dense.modes[k].omega) << spin << " " << partition;
+        EXPECT_EQ(r.modes[k].energy_sign, dense.modes[k].energy_sign) << spin << " " << partition << " " << k;
+        EXPECT_LE(r.modes[k].residual, 1e-10) << spin << " " << partition << " " << k;
+      }
+      ASSERT_EQ(r.unstable.size(), dense.unstable.size()) << spin << " " << partition;
+      for (std::size_t k = 0; k < r.unstable.size(); ++k)
+        EXPECT_NEAR(r.unstable[k].growth_rate, dense.unstable[k].growth_rate, 1e-8 * dense.unstable[k].growth_rate);
+      EXPECT_EQ(s.basis() != nullptr, partition);
+      if (r.index_balance.negative > 1 && (partition || r.unstable.empty())) {
+        EXPECT_NE(r.solver.find("beside"), std::string::npos) << spin << " " << partition << ": " << r.solver;
+      }
+    }
+  }
+}
+
 TEST(SparseModes, ManyEqualRoots) {
   const Index masses = 40, copies = 25;
   const double spin = 0.02;

@@ -100,9 +100,7 @@ Campbell campbell_of(const StructureParts& p, const CampbellOptions& options) {
   f.stiffness = p.stiffness_at_rest;
   f.stiffness_per_spin2 = stiffness_per_spin2(p);
   f.places = orbits_across_z(p);
-  f.modes = [&p](double spin, const ModesOptions& o) {
-    return SparseMatricesModel(in_symmetric_coordinates(at_spin(p, spin))).modes(o);
-  };
+  f.modes = [&p](double spin, const ModesOptions& o) { return SparseMatricesModel(in_symmetric_coordinates(at_spin(p, spin))).modes(o); };
   return gyromode::campbell(f, options);
 }
 
@@ -116,6 +114,13 @@ StructureModel::StructureModel(StructureParts parts)
 Campbell StructureModel::campbell(const CampbellOptions& options) const {
   require_at_rest(parts_ != nullptr);
   return campbell_of(*parts_, options);
+}
+
+CriticalSpeeds StructureModel::critical_speeds(const CriticalOptions&) const {
+  throw NotApplicable(
+      "critical speeds by one pencil are for dense matrices: of a large structure 'campbell --order 1,2,…' intersects its branches with "
+      "the "
+      "lines of the orders, in the turning axes of the structure");
 }
 
 // H = K₀ + Ω²K₂ + jωΩG₁ − ω²M.
@@ -175,6 +180,16 @@ StructureReport SmallStructureModel::structure(std::optional<double> at) const {
   r.checks.push_back({"symmetry", symmetry_});
   r.checks.push_back({"symmetry_departure", departure_});
   return r;
+}
+
+std::vector<std::string> SmallStructureModel::doubts(bool fixed_axes) const {
+  std::vector<std::string> all = DelegatingModel::doubts(fixed_axes);
+  if (!all.empty() && says_how_it_depends_on_the_spin(parts_))
+    all = {
+        fmt::format("what 'stiffness' has more than 'stiffness_at_rest' is not the softening of spin = {:.6g} rad/s: was 'stiffness' made "
+                    "at that spin?",
+                    parts_.spin)};
+  return all;
 }
 
 // Beyond a few hundred coordinates a projection takes a tenth of the time of dense matrices at every spin looked at.

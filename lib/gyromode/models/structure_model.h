@@ -17,6 +17,8 @@ class StructureModel : public SparseMatricesModel {
   /// Where K at rest is known; else NotApplicable. At every spin by modes() there, between them by a projection.
   Campbell campbell(const CampbellOptions& options) const override;
   std::optional<SpinSlopes> spin_slopes(double omega, const ComplexMatrix& shapes) const override;
+  /// @throws NotApplicable, with what tells them
+  CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
 
   /// The spin, where K at rest is known.
   std::vector<Parameter> parameters() const override;
@@ -34,6 +36,7 @@ class SmallStructureModel : public DelegatingModel {
   explicit SmallStructureModel(StructureParts parts);
   ModesResult modes(const ModesOptions& options) const override;
   StructureReport structure(std::optional<double> at) const override;
+  std::vector<std::string> doubts(bool fixed_axes) const override;
   Campbell campbell(const CampbellOptions& options) const override;
   /// The spin, where K at rest is known.
   std::vector<Parameter> parameters() const override;

@@ -85,15 +85,15 @@ SparseModes SparseWindows::from_both_ends(double a, double b, Index expected) {
 }
 
 SparseModes SparseWindows::halves(double a, double b, double middle, int depth) {
-  SparseModes all = between(a, middle, counts_.between(a, middle), depth);
+  SparseModes all = searched(a, middle, counts_.between(a, middle), depth);
   if (stopped()) return all;
-  for (RitzMode& m : between(middle, b, counts_.between(middle, b), depth)) all.push_back(std::move(m));
+  for (RitzMode& m : searched(middle, b, counts_.between(middle, b), depth)) all.push_back(std::move(m));
   return all;
 }
 
 // Wide windows in parts; narrow ones from both ends, or from a shift of their own where that did not do. In halves
 // where something is missing, as counts say in which.
-SparseModes SparseWindows::between(double a, double b, Index expected, int depth) {
+SparseModes SparseWindows::searched(double a, double b, Index expected, int depth) {
   if (expected <= 0) return {};
   constexpr double narrowest = 1e-6;
   constexpr double near_a_mode = 1e-9;  // of the margin: a shift as near as that hides the others behind one root
@@ -108,6 +108,14 @@ SparseModes SparseWindows::between(double a, double b, Index expected, int depth
   if (static_cast<Index>(all.size()) == expected || depth == 0) return all;
   other = halves(a, b, middle, depth - 1);
   if (stopped()) return other;
+  return other.size() > all.size() ? other : all;
+}
+
+SparseModes SparseWindows::between(double a, double b, Index expected) {
+  constexpr int halvings = 3;
+  SparseModes all = searched(a, b, expected, halvings);
+  if (stopped() || static_cast<Index>(all.size()) == expected || !searches_.leave_nothing_aside()) return all;
+  SparseModes other = searched(a, b, expected, halvings);
   return other.size() > all.size() ? other : all;
 }
 

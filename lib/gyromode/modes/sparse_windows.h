@@ -11,11 +11,12 @@ class SparseWindows {
       : searches_(searches), counts_(counts), progress_(progress) {}
 
   /// As many modes of [a, b) as are expected there, or those that were found.
-  SparseModes between(double a, double b, Index expected, int depth = 3);
+  SparseModes between(double a, double b, Index expected);
   /// Where the user stopped the work: no mode below that is missing as far as searches can tell. Else infinite.
   double known_below() const { return known_below_; }
 
  private:
+  SparseModes searched(double a, double b, Index expected, int depth);
   SparseModes halves(double a, double b, double middle, int depth);
   SparseModes about(double sigma, double a, double b, Index expected);
   SparseModes from_both_ends(double a, double b, Index expected);

@@ -15,8 +15,9 @@ namespace gyromode::io {
 
 namespace {
 
-constexpr std::array<std::string_view, 16> keys{"stiffness_at_rest", "gyroscopic", "kind", "title", "reference", "known",       "parameters", "frame",    "mass",
-                                                "stiffness",  "dofs", "spin",  "axis",      "coordinates", "mirror",     "half_turn"};
+constexpr std::array<std::string_view, 16> keys{
+    "stiffness_at_rest", "gyroscopic", "kind", "title", "reference",   "known",  "parameters", "frame", "mass",
+    "stiffness",         "dofs",       "spin", "axis",  "coordinates", "mirror", "half_turn"};
 
 std::filesystem::path place_of(const TomlTable& table, std::string_view key) {
   const auto name = table.text(key);
@@ -72,7 +73,8 @@ StructureParts read_structure(const TomlTable& table, Digest& digest) {
   p.spin = table.frequency("spin").value_or(0);
   if (table.has("stiffness_at_rest")) {
     if (p.spin == 0)
-      table.fail("stiffness_at_rest", "'stiffness_at_rest' says what the spin adds to 'stiffness', and needs 'spin' = that of 'stiffness', not 0");
+      table.fail("stiffness_at_rest",
+                 "'stiffness_at_rest' says what the spin adds to 'stiffness', and needs 'spin' = that of 'stiffness', not 0");
     p.stiffness_at_rest = read_triplets(file_named(table, "stiffness_at_rest", digest), n, 1);
   }
   const std::vector<double> axis = table.numbers("axis");

@@ -87,6 +87,13 @@ void Searches::know(KnownMotions motions) {
   if (orthogonal_to(states, negative(known_leads_))) known_states_ = std::move(states);
 }
 
+bool Searches::leave_nothing_aside() const {
+  if (known_states_.x.cols() == 0) return false;
+  known_states_ = {};
+  release_zero();
+  return true;
+}
+
 std::unique_ptr<Inverse> Searches::inverse_beside_known(double sigma) const {
   if (known_states_.x.cols() == 0) return nullptr;
   std::unique_ptr<Inverse> inverse = inverse_about(sigma, known_leads_);
@@ -128,7 +135,7 @@ Search& Searches::about_zero(Index wanted) const {
 std::string Searches::in_words() const {
   if (leading_block() >= 0) return "block Lanczos about K and shifts";
   return known_states_.x.cols() > 0 ? "block Lanczos about K and shifts, beside the motions that K has negative directions of"
-                      : "block Krylov spaces about K and shifts, projected";
+                                    : "block Krylov spaces about K and shifts, projected";
 }
 
 }  // namespace gyromode::sparse

@@ -29,9 +29,11 @@ class Searches {
   /// About a shift, σ = 0 being K, or where that is singular a frequency below the others; `wanted`: about how many
   /// roots will be asked for.
   std::unique_ptr<Search> about(double sigma, Index wanted) const;
-  /// All motions that the energy is not positive on: searches from now on leave them aside, where K is of neither sign in
-  /// both blocks, and are as fast as of K > 0.
+  /// All motions that the energy is not positive on: searches from now on leave them aside, where K is of neither sign
+  /// in both blocks, and are as fast as of K > 0.
   void know(KnownMotions motions);
+  /// From now on they leave nothing aside: slower, and of another kind where that failed. False where nothing was.
+  bool leave_nothing_aside() const;
   /// The one about 0, which goes on where it was left.
   Search& about_zero(Index wanted) const;
   /// Forgets it: it makes room.
@@ -61,7 +63,7 @@ class Searches {
   FreeMotions free_;
   ShiftedImpedance impedance_;
   KnownMotions known_;
-  States known_states_;  // in the order of coordinates; of no columns where they do not serve
+  mutable States known_states_;  // in the order of coordinates; of no columns where they do not serve
   Index known_leads_ = 0;
   mutable std::unique_ptr<Search> at_zero_;
 };

@@ -33,7 +33,8 @@ std::optional<Index> branch_of(SpinTrack& track, double spin, double omega, cons
 }
 
 bool has_pencil(const SpinSource& source, double first) {
-  return source.family && !source.projected && first >= 0 && (source.family->gyroscopic.size() == 0 || source.family->gyroscopic.cwiseAbs().maxCoeff() == 0);
+  return source.family && !source.projected && first >= 0 &&
+         (source.family->gyroscopic.size() == 0 || source.family->gyroscopic.cwiseAbs().maxCoeff() == 0);
 }
 
 // Root of ω(Ω) − m|Ω| of a branch between two spins, by secants kept in the bracket.

@@ -158,8 +158,7 @@ std::vector<Index> coupled(const Element& e, const std::vector<Hermitian>& gener
 
 }  // namespace
 
-FamilyBlocks::FamilyBlocks(const SpinFamily& family, double reach, double noise)
-    : noise_(noise) {
+FamilyBlocks::FamilyBlocks(const SpinFamily& family, double reach, double noise) : noise_(noise) {
   const Structure structure = structure_of(family);
   for (const Component& c : structure.components) add_part(family, reach, c.coordinates, c.in_quadrature, c.quadrature());
 }

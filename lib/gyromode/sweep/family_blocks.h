@@ -18,8 +18,8 @@ namespace gyromode {
 /// size of rounding are none.
 class FamilyBlocks {
  public:
-  /// `reach`: the frequencies of interest are below it, rad per unit of time. `noise` of the entries, relative: couplings
-  /// of its size are none, as those of rounding.
+  /// `reach`: the frequencies of interest are below it, rad per unit of time. `noise` of the entries, relative:
+  /// couplings of its size are none, as those of rounding.
   FamilyBlocks(const SpinFamily& family, double reach, double noise = 0);
 
   Index count() const { return count_; }

@@ -12,7 +12,7 @@ namespace gyromode {
 
 namespace {
 
-constexpr Index more_modes = 4;        // beyond those asked for, so that the space serves up to the last
+constexpr Index more_modes = 4;  // beyond those asked for, so that the space serves up to the last
 constexpr std::size_t most_places = 400;
 
 // The spins by halves: first the ends, then the middle, then the middles of these.

@@ -11,11 +11,11 @@ namespace gyromode {
 /// A family of matrices too large to be held in full, M q̈ + ΩG₁ q̇ + (K₀ + Ω²K₂) q = 0, as lower triangles, n × n, and
 /// what solves it at a spin.
 struct LargeFamily {
-  SparseMatrix mass;                    ///< M
-  SparseMatrix gyroscopic_per_spin;     ///< G₁
-  SparseMatrix stiffness;               ///< K₀
-  SparseMatrix stiffness_per_spin2;     ///< K₂
-  std::vector<OrbitCoordinates> places; ///< whose orbits say how a mode whirls
+  SparseMatrix mass;                     ///< M
+  SparseMatrix gyroscopic_per_spin;      ///< G₁
+  SparseMatrix stiffness;                ///< K₀
+  SparseMatrix stiffness_per_spin2;      ///< K₂
+  std::vector<OrbitCoordinates> places;  ///< whose orbits say how a mode whirls
   /// At one spin, with the certificate of the whole.
   std::function<ModesResult(double spin, const ModesOptions& options)> modes;
 };
