@@ -14,6 +14,7 @@ import subprocess
 
 # Bricks along x, y, z of 0.1 × 0.104 × 1: three coordinates a node, less the clamped end.
 BRICKS = [(11, 12, 24), (18, 18, 36), (24, 25, 50), (36, 37, 75), (48, 50, 136)]
+COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#777777"]  # told apart by the colour-blind, too
 STAGES = {"reading": "read, order, M > 0", "factorisation of K": "factors", "modes": "modes", "counts of the modes at rest": "at rest"}
 
 
@@ -50,10 +51,14 @@ def exponent(rows, key):
 def drawn(rows, picture):
     data = "\n".join(" ".join(str(r[k]) for k in ("n", *STAGES, "all", "peak")) for r in rows)
     titles = [*STAGES.values(), "all"]
-    curves = ", ".join(f"$d using 1:{k + 2} with linespoints lw 2 title '{t}, s'" for k, t in enumerate(titles))
+    curves = ", ".join(f"$d using 1:{k + 2} with linespoints lw 2 lc rgb '{c}' title '{t}, s'" for k, (t, c) in enumerate(zip(titles, COLOURS)))
     script = f"""set terminal svg size 760,480 font 'sans,13' background rgb 'white'
 set output '{picture}'
 set logscale xy
+set xrange [8e3:1.5e6]
+set yrange [0.05:1000]
+set y2range [0.05:1000]
+set format x '10^{%L}'
 set logscale y2
 set key left top
 set xlabel 'coordinates'
@@ -65,7 +70,7 @@ set grid
 $d << END
 {data}
 END
-plot {curves}, $d using 1:7 axes x1y2 with linespoints lw 2 dt 2 title 'peak memory, GB (right)'
+plot {curves}, $d using 1:7 axes x1y2 with linespoints lw 2 dt 2 lc rgb '{COLOURS[-1]}' title 'peak memory, GB (right)'
 """
     subprocess.run(["gnuplot"], input=script, text=True, check=True)
 

@@ -14,7 +14,10 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace gyromode::io {
@@ -119,10 +122,32 @@ Header header_of(LinesOfFile& lines, std::string_view& line, int sign) {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-SparseMatrix distinct(const Triplets& entries, Index order, const std::filesystem::path& file) {
+// Rows of a column ascending, with their values.
+void sort_column(int* rows, double* values, Index count, const std::filesystem::path& file) {
+  if (!std::is_sorted(rows, rows + count)) {
+    std::vector<std::pair<int, double>> column;
+    for (Index k = 0; k < count; ++k) column.emplace_back(rows[k], values[k]);
+    std::sort(column.begin(), column.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (Index k = 0; k < count; ++k) std::tie(rows[k], values[k]) = column[static_cast<std::size_t>(k)];
+  }
+  if (std::adjacent_find(rows, rows + count) != rows + count) throw Unreadable(file, "gives an entry twice: each entry once was expected");
+}
+
+// By counting, each entry once to its place: files that are in some order need no sorting.
+SparseMatrix distinct(Triplets entries, Index order, const std::filesystem::path& file) {
   SparseMatrix a(order, order);
-  a.setFromTriplets(entries.begin(), entries.end());
-  if (a.nonZeros() != static_cast<Index>(entries.size())) throw Unreadable(file, "gives an entry twice: each entry once was expected");
+  a.resizeNonZeros(static_cast<Index>(entries.size()));
+  int* first = a.outerIndexPtr();
+  for (const auto& e : entries) ++first[e.col() + 1];
+  std::partial_sum(first, first + order + 1, first);
+  std::vector<int> next(first, first + order);
+  for (const auto& e : entries) {
+    const int at = next[static_cast<std::size_t>(e.col())]++;
+    a.innerIndexPtr()[at] = e.row();
+    a.valuePtr()[at] = e.value();
+  }
+  Triplets().swap(entries);
+  for (Index j = 0; j < order; ++j) sort_column(a.innerIndexPtr() + first[j], a.valuePtr() + first[j], first[j + 1] - first[j], file);
   return a;
 }
 
@@ -154,6 +179,10 @@ SparseMatrix read_triplets(const std::filesystem::path& file, Index order, int s
     lines.fail(fmt::format("a matrix of order {}: {} was expected, as the model has coordinates", given, order));
   bool more = given == 0 || lines.next(line);
   Triplets lower, mirrored;  // of the upper triangle
+  // Address space for as many as the file can have: vectors that grow would be copied again and again.
+  constexpr std::uintmax_t least_line = 8, usual_line = 24;
+  const std::uintmax_t bytes = std::filesystem::file_size(file);
+  const std::size_t room = static_cast<std::size_t>(bytes / (bytes > (1U << 20) ? usual_line : least_line)) + 1;
   std::int64_t largest = given > 0 ? given : order;
   Index count = 0;
   for (; more; more = lines.next(line)) {
@@ -175,10 +204,9 @@ SparseMatrix read_triplets(const std::filesystem::path& file, Index order, int s
       continue;
     }
     const int row = static_cast<int>(e.row) - 1, column = static_cast<int>(e.column) - 1;
-    if (row >= column)
-      lower.emplace_back(row, column, e.value);
-    else
-      mirrored.emplace_back(column, row, sign * e.value);
+    Triplets& to = row >= column ? lower : mirrored;
+    if (row != column && to.capacity() < room) to.reserve(room);
+    to.emplace_back(std::max(row, column), std::min(row, column), row >= column ? e.value : sign * e.value);
   }
   if (count < header.entries)
     lines.fail(fmt::format("the file ends after {} of the {} entries that line {} promises", count, header.entries, header.line));
@@ -186,15 +214,17 @@ SparseMatrix read_triplets(const std::filesystem::path& file, Index order, int s
     throw Unreadable(file, "has no entries: lines 'row column value' were expected");
   const bool off_diagonal = std::any_of(lower.begin(), lower.end(), [](const auto& e) { return e.row() != e.col(); });
   if (off_diagonal && !mirrored.empty()) {
-    SparseMatrix both = distinct(lower, largest, file), other = distinct(mirrored, largest, file);
+    SparseMatrix both = distinct(std::move(lower), largest, file), other = distinct(std::move(mirrored), largest, file);
     const Vector diagonal = both.diagonal();
     for (Index k = 0; k < largest; ++k) {
       if (diagonal(k) != 0) other.coeffRef(k, k) = diagonal(k);
     }
     return mean_of(both, other, file, sign);
   }
+  if (lower.size() < mirrored.size()) lower.swap(mirrored);
   lower.insert(lower.end(), mirrored.begin(), mirrored.end());
-  return distinct(lower, largest, file);
+  Triplets().swap(mirrored);
+  return distinct(std::move(lower), largest, file);
 }
 
 std::optional<Index> order_of_large(const std::filesystem::path& file) {

@@ -118,16 +118,16 @@ Campbell StructureModel::campbell(const CampbellOptions& options) const {
 
 CriticalSpeeds StructureModel::critical_speeds(const CriticalOptions&) const {
   throw NotApplicable(
-      "critical speeds by one pencil are for dense matrices: of a large structure 'campbell --order 1,2,…' intersects its branches with "
-      "the "
+      "critical speeds by one pencil are for dense matrices: of a large structure campbell --order 1,2,… intersects the branches with the "
       "lines of the orders, in the turning axes of the structure");
 }
 
 // H = K₀ + Ω²K₂ + jωΩG₁ − ω²M.
 std::optional<ModelKind::SpinSlopes> StructureModel::spin_slopes(double omega, const ComplexMatrix& x) const {
   if (!parts_) return std::nullopt;
-  const ComplexMatrix gx = times(assembled(*parts_).gyroscopic, true, x);
-  return SpinSlopes{2 * spin_ * times(stiffness_per_spin2(*parts_), false, x) + Complex(0, omega / spin_) * gx,
+  if (!with_spin_) with_spin_ = std::make_shared<const WithSpin>(WithSpin{assembled(*parts_).gyroscopic, stiffness_per_spin2(*parts_)});
+  const ComplexMatrix gx = times(with_spin_->gyroscopic, true, x);
+  return SpinSlopes{2 * spin_ * times(with_spin_->per_spin2, false, x) + Complex(0, omega / spin_) * gx,
                     2 * omega * times(parts_->mass, false, x) - Complex(0, 1) * gx};
 }
 

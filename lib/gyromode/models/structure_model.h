@@ -28,6 +28,10 @@ class StructureModel : public SparseMatricesModel {
   MeshFacts facts_;
   double spin_ = 0;
   std::shared_ptr<const StructureParts> parts_;  // where K at rest is known
+  struct WithSpin {
+    SparseMatrix gyroscopic, per_spin2;  // G and K₂
+  };
+  mutable std::shared_ptr<const WithSpin> with_spin_;  // made when first asked for
 };
 
 /// The same of few coordinates, answered by the dense engine: all verbs that matrices at one spin have.

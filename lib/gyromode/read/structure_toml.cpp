@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <future>
 #include <unordered_map>
 
 namespace gyromode::io {
@@ -49,8 +50,10 @@ StructureParts read_structure(const TomlTable& table, Digest& digest) {
     p.coordinates.push_back({d.node, d.direction - 1});
   }
   const auto n = static_cast<Index>(p.coordinates.size());
-  p.mass = read_triplets(file_named(table, "mass", digest), n, 1);
+  // Side by side; the digest has them in this order.
+  auto mass = std::async(std::launch::async, [file = file_named(table, "mass", digest), n] { return read_triplets(file, n, 1); });
   p.stiffness = read_triplets(file_named(table, "stiffness", digest), n, 1);
+  p.mass = mass.get();
   if (table.text("coordinates")) {
     const std::filesystem::path file = file_named(table, "coordinates", digest);
     std::unordered_map<long, std::array<double, 3>> at;

@@ -33,9 +33,8 @@ struct RootSlopes {
 };
 
 /// Of shapes X, n × m, of one root ω: the eigenvalues of the pencil (XᴴDX, XᴴFX), D = ∂H/∂p at fixed ω and F = −∂H/∂ω
-/// (theory (T15)). `d` and `f` are applied to X; `error` is |D − what was computed|, entry by entry;
-/// empty: rounding of the products. Nothing where XᴴFX
-/// is of both signs.
+/// (theory (T15)). `d` and `f` are applied to X; `error` is |D − what was computed|, entry by entry; empty: rounding of
+/// the products. Nothing where XᴴFX is of both signs.
 std::optional<RootSlopes> root_slopes(const ComplexMatrix& x, const ComplexMatrix& dx, const ComplexMatrix& fx, const Matrix& error);
 
 }  // namespace gyromode

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <numbers>
 
 namespace gyromode::sparse {
@@ -101,9 +102,10 @@ Matrix folded(const Involution& s, const Matrix& q) {
 
 SparseMatrices folded(const SparseMatrices& m, const Involution& s) {
   SparseMatrices f;
+  auto stiffness = std::async(std::launch::async, [&] { return folded_matrix(m.stiffness, s, 1, 1); });  // the longest, beside the others
   f.mass = folded_matrix(m.mass, s, 1, 1);
   f.gyroscopic = folded_matrix(m.gyroscopic, s, -1, -1);
-  f.stiffness = folded_matrix(m.stiffness, s, 1, 1);
+  f.stiffness = stiffness.get();
   f.gyroscopic_bound = m.gyroscopic_bound;
   f.translations = folded(s, m.translations);
   f.rigid = folded(s, m.rigid);
