@@ -58,7 +58,7 @@ set logscale xy
 set xrange [8e3:1.5e6]
 set yrange [0.05:1000]
 set y2range [0.05:1000]
-set format x '10^{%L}'
+set format x '10^{{%L}}'
 set logscale y2
 set key left top
 set xlabel 'coordinates'
