@@ -15,6 +15,7 @@ def said(code, words, *arguments, model=None, files={}):
         here = pathlib.Path(folder)
         (here / "m.toml").write_text(ONE if model is None else model)
         for name, text in files.items():
+            (here / name).parent.mkdir(exist_ok=True)
             (here / name).write_text(text)
         result = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=here, timeout=120)
         kept = (here / "m.toml").read_text() == (ONE if model is None else model)
@@ -236,6 +237,21 @@ said(2, "tables [[cable]] were expected", "modes", "m.toml", model='kind = "spac
 said(3, 'a bare number is in rad, degrees are written "90 deg"', "modes", "m.toml", "--lowest", "2",
      model='kind = "spacecraft"\nspin = 1\n[body]\nmass = 100\ninertia = [10, 11, 15]\n' + "".join(
          f"[[cable]]\nazimuth = {a}\nradius = 0.5\nheight = 0\nlength = 10\nline_density = 0.01\n" for a in (90, 270)))
+# Structures over the spin
+chain = {f"structure/{name.name}": name.read_text() for name in (models / "structure").iterdir()}
+turning = (models / "structure.toml").read_text()
+at_rest = 'stiffness_at_rest = "structure/chain_rest.sti"\n'
+still = turning.replace(at_rest, "")
+needs = "give K of the same mesh at rest, too, by the key 'stiffness_at_rest'"
+said(3, needs, "campbell", "m.toml", "--spin", "0:1:3", model=still, files=chain)
+said(3, needs, "critical", "m.toml", model=still, files=chain)
+said(3, needs, "stability", "m.toml", "--vary", "spin=0:1:3", model=still, files=chain)
+said(3, needs, "modes", "m.toml", "--sensitivity=spin", model=still, files=chain)
+said(2, "needs 'spin' = that of 'stiffness', not 0", "modes", "m.toml", model=turning.replace("spin = 0.3", "spin = 0"), files=chain)
+said(2, "entry (17, 17) is 0: of a structure at rest it is above 0; is the file whole", "modes", "m.toml", model=turning,
+     files=chain | {"structure/chain_rest.sti": "".join(chain["structure/chain_rest.sti"].splitlines(keepends=True)[:30])})
+said(0, "was 'stiffness' made at that spin?", "modes", "m.toml", model=turning.replace("spin = 0.3", "spin = 0.9"), files=chain)
+said(1, "did you mean 'spin'?", "modes", "m.toml", "--sensitivity=speed", model=turning, files=chain)
 # Laws
 said(3, "'q2' has neither mass nor", "modes", "m.toml", model='kind = "matrices"\nmass = [1, 0]\nstiffness = [1, 0]\n')
 said(3, "this is damping", "modes", "m.toml", model=ONE + "gyroscopic = [[0.1, 1], [-1, 0.1]]\n")

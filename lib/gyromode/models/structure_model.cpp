@@ -90,7 +90,7 @@ void require_at_rest(bool known) {
   if (!known)
     throw NotApplicable(
         "K of a structure holds the stress and the softening of its own spin: give K of the same mesh at rest, too, by the key "
-        "'stiffness_at_rest', for a sweep over the spin");
+        "'stiffness_at_rest', for what goes with the spin");
 }
 
 Campbell campbell_of(const StructureParts& p, const CampbellOptions& options) {
@@ -129,6 +129,11 @@ std::optional<ModelKind::SpinSlopes> StructureModel::spin_slopes(double omega, c
   const ComplexMatrix gx = times(with_spin_->gyroscopic, true, x);
   return SpinSlopes{2 * spin_ * times(with_spin_->per_spin2, false, x) + Complex(0, omega / spin_) * gx,
                     2 * omega * times(parts_->mass, false, x) - Complex(0, 1) * gx};
+}
+
+std::optional<Parameter> StructureModel::parameter(std::string_view key) const {
+  if (key == "spin") require_at_rest(parts_ != nullptr);
+  return ModelKind::parameter(key);
 }
 
 std::vector<Parameter> StructureModel::parameters() const { return parts_ ? spin_of(spin_) : std::vector<Parameter>{}; }
@@ -197,6 +202,16 @@ Campbell SmallStructureModel::campbell(const CampbellOptions& options) const {
   constexpr Index few = 300;
   require_at_rest(says_how_it_depends_on_the_spin(parts_));
   return size() > few ? campbell_of(parts_, options) : DelegatingModel::campbell(options);
+}
+
+CriticalSpeeds SmallStructureModel::critical_speeds(const CriticalOptions& options) const {
+  require_at_rest(says_how_it_depends_on_the_spin(parts_));
+  return DelegatingModel::critical_speeds(options);
+}
+
+std::optional<Parameter> SmallStructureModel::parameter(std::string_view key) const {
+  if (key == "spin") require_at_rest(says_how_it_depends_on_the_spin(parts_));
+  return ModelKind::parameter(key);
 }
 
 std::vector<Parameter> SmallStructureModel::parameters() const {

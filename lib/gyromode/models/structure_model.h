@@ -22,6 +22,8 @@ class StructureModel : public SparseMatricesModel {
 
   /// The spin, where K at rest is known.
   std::vector<Parameter> parameters() const override;
+  /// @throws NotApplicable for the spin where K at rest is not known
+  std::optional<Parameter> parameter(std::string_view key) const override;
   std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
 
  private:
@@ -41,9 +43,12 @@ class SmallStructureModel : public DelegatingModel {
   ModesResult modes(const ModesOptions& options) const override;
   StructureReport structure(std::optional<double> at) const override;
   std::vector<std::string> doubts(bool fixed_axes) const override;
+  CriticalSpeeds critical_speeds(const CriticalOptions& options) const override;
   Campbell campbell(const CampbellOptions& options) const override;
   /// The spin, where K at rest is known.
   std::vector<Parameter> parameters() const override;
+  /// @throws NotApplicable for the spin where K at rest is not known
+  std::optional<Parameter> parameter(std::string_view key) const override;
   std::shared_ptr<const ModelKind> with(const std::vector<ParameterValue>& values) const override;
 
  private:

@@ -78,7 +78,15 @@ StructureParts read_structure(const TomlTable& table, Digest& digest) {
     if (p.spin == 0)
       table.fail("stiffness_at_rest",
                  "'stiffness_at_rest' says what the spin adds to 'stiffness', and needs 'spin' = that of 'stiffness', not 0");
-    p.stiffness_at_rest = read_triplets(file_named(table, "stiffness_at_rest", digest), n, 1);
+    const std::filesystem::path file = file_named(table, "stiffness_at_rest", digest);
+    p.stiffness_at_rest = read_triplets(file, n, 1);
+    const Vector diagonal = p.stiffness_at_rest.diagonal();
+    for (Index k = 0; k < n; ++k) {  // a file that was cut off still has entries
+      if (!(diagonal(k) > 0))
+        throw Unreadable(file, fmt::format("entry ({0}, {0}) is {1}: of a structure at rest it is above 0; is the file whole, and that of "
+                                           "the mesh at rest?",
+                                           k + 1, diagonal(k)));
+    }
   }
   const std::vector<double> axis = table.numbers("axis");
   if (!axis.empty() && axis.size() != 3)
