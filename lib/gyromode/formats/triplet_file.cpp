@@ -181,7 +181,8 @@ SparseMatrix read_triplets(const std::filesystem::path& file, Index order, int s
   Triplets lower, mirrored;  // of the upper triangle
   // Address space for as many as the file can have: vectors that grow would be copied again and again.
   constexpr std::uintmax_t least_line = 8, usual_line = 24;
-  const std::uintmax_t bytes = std::filesystem::file_size(file);
+  std::error_code unknown;  // of a pipe, say: nothing is set aside
+  const std::uintmax_t size = std::filesystem::file_size(file, unknown), bytes = unknown ? 0 : size;
   const std::size_t room = static_cast<std::size_t>(bytes / (bytes > (1U << 20) ? usual_line : least_line)) + 1;
   std::int64_t largest = given > 0 ? given : order;
   Index count = 0;

@@ -6,7 +6,7 @@ namespace gyromode {
 
 /// H(ω)⁻¹f of one force over many frequencies: a Galerkin projection on the modes of the range and on what earlier
 /// frequencies needed, corrected by the factors of H at one of them. What the correction leaves is the error: where it
-/// does not go below 10⁻¹² of q after some steps H is factored there.
+/// does not go below 10⁻¹¹ of q after some steps H is factored there.
 class ReducedSweep {
  public:
   /// `shapes`, n × any number: the modes of the range, all of them, as without one its pole is not seen coming.

@@ -3,7 +3,7 @@
 #include "gyromode/sweep/large_family.h"
 #include "gyromode/system/spin_family.h"
 
-#include <memory>
+#include <vector>
 
 namespace gyromode {
 
@@ -14,7 +14,7 @@ class ProjectedFamily {
   /// `reach`: τ = reach² or more, rad per unit of time.
   ProjectedFamily(const LargeFamily& family, double reach);
 
-  /// Takes n × m shapes into the space. What is in it to 10⁻⁷ already is not added.
+  /// Takes n × m shapes into the space. What is in it to 10⁻⁶ already is not added.
   void add(const ComplexMatrix& shapes);
 
   Index order() const { return basis_.cols(); }
