@@ -143,7 +143,6 @@ TEST(SparseModes, AreThoseOfTheDenseEngine) {
   EXPECT_GT(compared, draws / 2);
 }
 
-// Copies of one chain: every frequency as many times as there are copies, more than a block has columns.
 // Both blocks of K have negative directions: Lanczos beside the motions that make them, of any spin.
 TEST(SparseModes, BeyondTheFirstCriticalSpeeds) {
   const bench::BrickMesh mesh = bench::box({0.1, 0.104, 1.0}, {2, 2, 10}, true);
@@ -176,6 +175,7 @@ TEST(SparseModes, BeyondTheFirstCriticalSpeeds) {
   }
 }
 
+// Copies of one chain: every frequency as many times as there are copies, more than a block has columns.
 TEST(SparseModes, ManyEqualRoots) {
   const Index masses = 40, copies = 25;
   const double spin = 0.02;
@@ -210,6 +210,57 @@ TEST(SparseModes, ManyEqualRoots) {
   o = {};
   o.lowest = 30;
   expect(find_modes(system, o), 0, 2);
+}
+
+// More modes than one shift is asked for, and windows that reach below the lowest mode or above the highest.
+TEST(SparseModes, WindowsOfSeveralShifts) {
+  expect_window(400, 0.004, 0.3, 0.9);
+  expect_window(100, 0.0003, 1e-9, 0.5);
+  expect_window(100, 0.0003, 0.5, 3);
+  expect_window(30, 0.0003, 1e-9, 3);
+}
+
+// Modes at rest are near enough to the ends for counts of them to leave it open, or not: γ from a tenth of the distance
+// of modes to ten times that. Ends anywhere between modes, near one too.
+TEST(SparseModes, InteriorWindowsWhateverTheCountsAtRestSay) {
+  support::Source source{std::mt19937_64(11)};
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(source.bits); };
+  for (int draw = 0; draw < 30; ++draw) {
+    const Index masses = 200;
+    const double rest = known(masses, 0)[0], spin = rest * std::exp2(uniform(-6, -0.1));
+    const std::vector<double> all = known(masses, spin);
+    const auto first = static_cast<std::size_t>(source.integer(2, 250)), last = first + static_cast<std::size_t>(source.integer(0, 40));
+    const double near = draw % 3 == 0 ? 1e-7 : 0.5;
+    expect_window(masses, spin, all[first] - near * uniform(0, 1) * (all[first] - all[first - 1]),
+                  all[last] + near * uniform(0.01, 1) * (all[last + 1] - all[last]));
+  }
+}
+
+// Work that is stopped leaves what was found around the shift, and says so.
+TEST(SparseModes, StoppedInsideAWindow) {
+  const SparseSystem system(assembled(chain(600, 0.0003)));
+  const std::vector<double> all = known(600, 0.0003);
+  bool some = false;
+  for (int after = 1; after < 30; ++after) {
+    ModesOptions o;
+    o.window = {0.5, 0.6};
+    int told = 0;
+    o.progress.tell = [&](std::string_view, Index, Index) { ++told; };
+    o.progress.stop = [&] { return told >= after; };
+    try {
+      const ModesResult r = find_modes(system, o);
+      if (!r.coverage.interrupted) continue;
+      some = true;
+      EXPECT_EQ(r.coverage.status, CoverageStatus::incomplete);
+      EXPECT_GE(r.coverage.window.a, 0.5);
+      EXPECT_LE(r.coverage.window.b, 0.6);
+      const auto expected = std::count_if(all.begin(), all.end(), [&](double w) { return r.coverage.window.contains(w); });
+      EXPECT_EQ(static_cast<Index>(r.modes.size()), expected)
+          << after << " [" << r.coverage.window.a << ", " << r.coverage.window.b << "): " << r.coverage.reason;
+    } catch (const Interrupted&) {
+    }
+  }
+  EXPECT_TRUE(some);
 }
 
 // Ends on a mode, and 10⁻⁸ from one.

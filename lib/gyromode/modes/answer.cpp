@@ -23,14 +23,16 @@ void require_end(const CountedSpectrum& s, const Window& w, const char* what) {
   if (w.open() && !s.finite()) throw InvalidArgument(s.why_an_end() + what + " needed");
 }
 
-// Where work was stopped: all roots below that.
-Coverage part_of(const Window& known, const std::vector<CountedRoot>& listed, double unit) {
+// Where work was stopped: the roots known by then.
+Coverage part_of(const Window& known, const Window& asked, const std::vector<CountedRoot>& listed, double unit) {
   Coverage c;
   c.status = CoverageStatus::incomplete;
   c.window = known;
   c.found = static_cast<Index>(listed.size());
   c.interrupted = true;
-  c.reason = fmt::format("interrupted: modes above {:.6g} rad/s were not looked for", known.b * unit);
+  c.reason = known.a > asked.a
+                 ? fmt::format("interrupted: modes outside {:.6g} … {:.6g} rad/s were not looked for", known.a * unit, known.b * unit)
+                 : fmt::format("interrupted: modes above {:.6g} rad/s were not looked for", known.b * unit);
   return c;
 }
 
@@ -55,13 +57,17 @@ ModesResult modes_of(const CountedSpectrum& s, const ModesOptions& options) {
   if (!options.lowest) require_end(s, options.window, "a window with two ends or the number of lowest ones is");
   const Window asked = in_unit_of(s, options.window);
   if (!options.lowest) require_listable(s, asked);
+  const std::optional<RootRange> before = options.lowest ? std::nullopt : s.roots_before_counts(asked, options.progress);
   if (s.finite()) options.progress.stage("counts at the ends of the window");
   const FilledWindow lowest = options.lowest ? lowest_window(s, *options.lowest, asked, options.progress) : FilledWindow{};
-  const bool stopped = options.lowest && lowest.found.known_below < infinity;  // nothing is counted any more
-  const WindowEnds ends = stopped ? WindowEnds{{asked.a, infinity}, {}, {}} : ends_of(s, options.lowest ? lowest.window : asked);
-  const RootRange found = options.lowest ? lowest.found : s.roots(ends.window, options.progress);
-  const Window known{ends.window.a, std::min(ends.window.b, found.known_below)};
-  if (found.known_below < ends.window.b && !(known.b > known.a)) throw Interrupted();
+  const RootRange* const first = options.lowest ? &lowest.found : before ? &*before : nullptr;
+  const bool stopped = first && first->known_below < infinity;  // nothing is counted any more
+  const WindowEnds ends =
+      stopped ? WindowEnds{{asked.a, options.lowest ? infinity : asked.b}, {}, {}} : ends_of(s, options.lowest ? lowest.window : asked);
+  const RootRange found = first ? *first : s.roots(ends.window, options.progress);
+  const Window known{std::max(ends.window.a, found.known_from), std::min(ends.window.b, found.known_below)};
+  const bool part = known.a > ends.window.a || known.b < ends.window.b;
+  if (part && !(known.b > known.a)) throw Interrupted();
   std::vector<CountedRoot> listed;
   ModesResult r;
   s.describe(r, options.shapes);
@@ -71,7 +77,7 @@ ModesResult modes_of(const CountedSpectrum& s, const ModesOptions& options) {
     r.modes.push_back(found.mode(i, options.shapes));
   }
   const bool interrupted = r.coverage.interrupted;  // as the engine says
-  r.coverage = known.b < ends.window.b ? part_of(known, listed, s.unit()) : coverage_of(s, ends, listed);
+  r.coverage = part ? part_of(known, ends.window, listed, s.unit()) : coverage_of(s, ends, listed);
   r.coverage.window = given(s, r.coverage.window, options.window);
   r.coverage.requested = options.window;
   r.coverage.interrupted = r.coverage.interrupted || interrupted;

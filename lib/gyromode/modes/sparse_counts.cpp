@@ -10,10 +10,10 @@ namespace gyromode {
 
 Inertia SparseCounts::at(double omega) const {
   Inertia i;
-  if (omega <= known_below_) {  // between roots that are all there are
+  if (known_.b > 0 && omega >= known_.a && omega <= known_.b) {  // between roots that are all there are
     i.margin = 1;
-    i.negative = at_zero();
-    for (const sparse::RitzMode& m : lowest_) {
+    i.negative = known_negative_;
+    for (const sparse::RitzMode& m : in_known_) {
       if (std::abs(m.omega - omega) <= error_of(m)) i.margin = 0;
       if (m.omega < omega) i.negative += m.energy_sign;
     }
@@ -56,12 +56,12 @@ double SparseCounts::clear_of_roots(double omega) const {
   return w;
 }
 
-void SparseCounts::know_below(double omega, const SparseModes& modes) {
-  known_below_ = omega;
-  lowest_.clear();
+void SparseCounts::know(const Window& window, Index negative, const SparseModes& modes) {
+  known_ = window;
+  known_negative_ = negative;
+  in_known_.clear();
   for (const sparse::RitzMode& m : modes) {
-    if (m.omega >= omega) break;
-    lowest_.push_back({m.omega, m.energy_sign, m.form, m.residual, m.error_bound, {}});
+    if (window.contains(m.omega)) in_known_.push_back({m.omega, m.energy_sign, m.form, m.residual, m.error_bound, {}});
   }
 }
 

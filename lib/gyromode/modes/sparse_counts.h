@@ -26,10 +26,11 @@ class SparseCounts {
   /// A frequency a little above that is none of a mode.
   double clear_of_roots(double omega) const;
 
-  /// From now on those, ascending, are all modes below ω, as something else has shown: no factorisation is needed
-  /// there.
-  void know_below(double omega, const SparseModes& modes);
-  double known_below() const { return known_below_; }
+  /// From now on those, ascending, are all modes of a window with n₋(H) = `negative` at its beginning, as something
+  /// else has shown: no factorisation is needed in it.
+  void know(const Window& window, Index negative, const SparseModes& modes);
+  /// That window; empty where nothing is known.
+  const Window& known() const { return known_; }
 
  private:
   const SparseSystem& system_;
@@ -40,8 +41,9 @@ class SparseCounts {
     double margin = 0;  // of the factorisation
   };
   mutable std::map<double, Counted> counted_;
-  double known_below_ = 0;
-  SparseModes lowest_;  // without shapes
+  Window known_{0, 0};
+  Index known_negative_ = 0;  // n₋(H) at its beginning
+  SparseModes in_known_;      // its modes, without shapes
 };
 
 }  // namespace gyromode

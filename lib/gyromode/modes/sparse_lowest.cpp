@@ -59,7 +59,7 @@ bool SparseLowest::close_at_rest(const SparseModes& low, Index wanted) const {
   progress_.stage("counts of the modes at rest");
   searches_.release_stiffness();  // the counts take as much again
   if (sparse::negative_at_rest(system_, searches_.groups(), sigma * (sigma + gamma)) != below + counts_.at_zero()) return false;
-  counts_.know_below(sigma, low);
+  counts_.know({0, sigma}, counts_.at_zero(), low);
   return true;
 }
 
@@ -111,7 +111,7 @@ SparseLowest::Found SparseLowest::lowest(Index count, const Window& range) const
   if (low.empty() && expected.empty()) throw NotConverged("no mode near 0 was found: ask for a window, which is searched from its ends");
   const double start = low.empty() ? expected.front().omega : low.back().omega;
   if (count <= most_at_one_shift) {
-    if (close_at_rest(low, count)) return {std::move(low), counts_.known_below(), infinity};
+    if (close_at_rest(low, count)) return {std::move(low), counts_.known().b, infinity};
     if (counted_in_gap(low, count)) return {std::move(low), 0, infinity};
   }
   return by_windows(count, start, range.b);

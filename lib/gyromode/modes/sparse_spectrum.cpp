@@ -3,11 +3,14 @@
 #include "gyromode/base/error.h"
 #include "gyromode/modes/shape.h"
 #include "gyromode/modes/sparse_lowest.h"
+#include "gyromode/modes/sparse_slices.h"
 #include "gyromode/sparse/basis.h"
 #include "gyromode/sparse/matrix.h"
 #include "gyromode/sparse/partition.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace gyromode {
 
@@ -20,10 +23,30 @@ SparseSpectrum::SparseSpectrum(const SparseSystem& system, const Progress& progr
   if (balance_.index().closed) searches_.know({balance_.negative(), balance_.unstable()});
 }
 
+// Where all of it is proved the counts at the ends of the window need no work; else they decide.
+std::optional<RootRange> SparseSpectrum::roots_before_counts(const Window& range, const Progress& progress) const {
+  SparseSlices slices(system_, searches_, balance_, counts_, progress);
+  if (!slices.serve(range)) return std::nullopt;
+  std::optional<SparseSlices::Found> found = slices.about_middles(range);
+  if (!found) return std::nullopt;
+  if (found->stopped) {
+    RootRange part = range_of(std::move(found->modes), false);
+    part.known_from = found->stopped->a;
+    part.known_below = found->stopped->b;
+    return part;
+  }
+  if (counts_.known().a <= range.a && counts_.known().b >= range.b) return range_of(std::move(found->modes), false);
+  candidates_ = std::move(found->modes);
+  return std::nullopt;
+}
+
 RootRange SparseSpectrum::roots(const Window& range, const Progress& progress) const {
   if (range.open()) throw InvalidArgument(why_an_end() + "a window with two ends or the number of lowest ones is needed");
+  const Index expected = counts_.between(range.a, range.b);
+  const auto inside = [&](const sparse::RitzMode& m) { return range.contains(m.omega); };
+  if (std::count_if(candidates_.begin(), candidates_.end(), inside) == expected) return range_of(std::move(candidates_), range.a == 0);
   SparseWindows windows(searches_, counts_, progress);
-  RootRange all = range_of(windows.between(range.a, range.b, counts_.between(range.a, range.b)), range.a == 0);
+  RootRange all = range_of(windows.between(range.a, range.b, expected), range.a == 0);
   all.known_below = windows.known_below();
   return all;
 }

@@ -13,6 +13,7 @@ class SparseSpectrum : public CountedSpectrum {
   /// @throws NotApplicable where K is singular and what is free cannot be told; TooLarge; NotConverged
   explicit SparseSpectrum(const SparseSystem& system, const Progress& progress = {});
 
+  std::optional<RootRange> roots_before_counts(const Window& range, const Progress& progress) const override;
   RootRange roots(const Window& range, const Progress& progress = {}) const override;
   std::optional<RootRange> lowest_roots(Index count, const Window& range, const Progress& progress) const override;
   bool finite() const override { return false; }
@@ -40,7 +41,8 @@ class SparseSpectrum : public CountedSpectrum {
   Structure structure_;
   sparse::Searches searches_;
   SparseBalance balance_;
-  mutable SparseCounts counts_;  // each factorisation is done when it is first asked for
+  mutable SparseCounts counts_;     // each factorisation is done when it is first asked for
+  mutable SparseModes candidates_;  // of a window, not proved to be all
 };
 
 }  // namespace gyromode

@@ -27,7 +27,7 @@ struct RootRange {
   std::vector<CountedRoot> roots;
   std::function<Mode(std::size_t root, bool with_shape)> mode;  ///< frequencies in rad per unit of time
   double all_below = 0;                                         ///< of lowest roots: all below that are listed, by count
-  double known_below = infinity;                                ///< work was stopped: roots from here on are not all known
+  double known_from = 0, known_below = infinity;                ///< where work was stopped: the roots outside are not all known
 };
 
 /// What every engine leaves: the roots of a model with counts that are independent of them. Windows, their ends, the
@@ -45,6 +45,12 @@ class CountedSpectrum {
   /// The roots of [a, b), and perhaps some outside, zero roots too where a = 0. b may be infinite where there are
   /// finitely many.
   virtual RootRange roots(const Window& range, const Progress& progress = {}) const = 0;
+  /// The same of an engine that finds roots with less work than it counts them at the ends of a window, which then are
+  /// counted by what it knows. Nothing: the ends are counted first.
+  virtual std::optional<RootRange> roots_before_counts(const Window& range [[maybe_unused]],
+                                                       const Progress& progress [[maybe_unused]]) const {
+    return std::nullopt;
+  }
   /// The lowest `count` roots from range.a on that are no rigid-body ones, and some beyond, of an engine that finds
   /// them in that order; nothing of others.
   virtual std::optional<RootRange> lowest_roots(Index count [[maybe_unused]], const Window& range [[maybe_unused]],
