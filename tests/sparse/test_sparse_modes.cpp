@@ -21,8 +21,9 @@ namespace gyromode {
 namespace {
 
 // A chain of `masses` unit masses on unit springs between walls, vibrating across two axes, seen from axes that turn at
-// Ω: frequencies |ω_k ± Ω|, ω_k = 2 sin(kπ / (2(N + 1))), each exactly.
-StructureParts chain(Index masses, double spin) {
+// Ω: frequencies |ω_k ± Ω|, ω_k = 2 sin(kπ / (2(N + 1))), each exactly. What is isotropic about its axis is solved in
+// axes that stand still; with one more coordinate along the axis, far above all others, it is not.
+StructureParts chain(Index masses, double spin, bool isotropic = true) {
   std::vector<Eigen::Triplet<double>> m, k;
   StructureParts p;
   p.spin = spin;
@@ -35,8 +36,14 @@ StructureParts chain(Index masses, double spin) {
       if (i > 0) k.emplace_back(at, at - 2, -1);
     }
   }
-  p.mass.resize(2 * masses, 2 * masses);
-  p.stiffness.resize(2 * masses, 2 * masses);
+  const Index n = 2 * masses + (isotropic ? 0 : 1);
+  if (!isotropic) {
+    p.coordinates.push_back({masses, 2});
+    m.emplace_back(static_cast<int>(n) - 1, static_cast<int>(n) - 1, 1);
+    k.emplace_back(static_cast<int>(n) - 1, static_cast<int>(n) - 1, 100);
+  }
+  p.mass.resize(n, n);
+  p.stiffness.resize(n, n);
   p.mass.setFromTriplets(m.begin(), m.end());
   p.stiffness.setFromTriplets(k.begin(), k.end());
   return p;
@@ -53,8 +60,8 @@ std::vector<double> known(Index masses, double spin) {
   return all;
 }
 
-void expect_window(Index masses, double spin, double a, double b) {
-  const SparseSystem system(assembled(chain(masses, spin)));
+void expect_window(Index masses, double spin, double a, double b, bool isotropic) {
+  const SparseSystem system(assembled(chain(masses, spin, isotropic)));
   ModesOptions o;
   o.window = {a, b};
   const ModesResult r = find_modes(system, o);
@@ -68,6 +75,10 @@ void expect_window(Index masses, double spin, double a, double b) {
     EXPECT_NEAR(r.modes[k].omega, expected[k], 1e-10 * (1 + expected[k])) << spin << " " << k;
     EXPECT_NEAR(r.modes[k].omega, expected[k], 2 * r.modes[k].error_bound + 1e-15) << "the bound holds";
   }
+}
+
+void expect_window(Index masses, double spin, double a, double b) {
+  for (const bool isotropic : {true, false}) expect_window(masses, spin, a, b, isotropic);
 }
 
 TEST(SparseModes, WindowsOfAChainInTurningAxes) {
@@ -85,23 +96,100 @@ TEST(SparseModes, WindowsOfAChainInTurningAxes) {
 TEST(SparseModes, FastAxesMakeNegativeEnergy) {
   const Index masses = 400;
   const double spin = 0.02;  // above ω₁ = 0.00783 and ω₂ = 0.01567
-  const ModesResult r = find_modes(SparseSystem(assembled(chain(masses, spin))), [] {
+  for (const bool isotropic : {true, false}) {
+    const SparseSystem system(assembled(chain(masses, spin, isotropic)));
     ModesOptions o;
     o.window.b = 0.03;
-    return o;
-  }());
-  EXPECT_EQ(r.stability, Stability::gyroscopically_stabilised);
-  EXPECT_EQ(r.index_balance.negative, 4);
-  EXPECT_EQ(r.index_balance.negative_energy, 2);
-  EXPECT_TRUE(r.is_complete()) << r.coverage.reason;
-  EXPECT_EQ(std::count_if(r.modes.begin(), r.modes.end(), [](const Mode& m) { return m.energy_sign < 0; }), 2);
+    const ModesResult r = find_modes(system, o);
+    EXPECT_EQ(r.stability, Stability::gyroscopically_stabilised);
+    EXPECT_EQ(r.index_balance.negative, 4);
+    EXPECT_EQ(r.index_balance.negative_energy, 2);
+    EXPECT_EQ(r.negative_modes.size(), 2U);
+    EXPECT_TRUE(r.is_complete()) << r.coverage.reason;
+    EXPECT_EQ(std::count_if(r.modes.begin(), r.modes.end(), [](const Mode& m) { return m.energy_sign < 0; }), 2);
+    EXPECT_EQ(r.solver.find("isotropic") != std::string::npos, isotropic) << r.solver;
+    const CountResult c = count_modes(system, o.window);
+    EXPECT_EQ(c.count, static_cast<Index>(r.modes.size()));
+    EXPECT_EQ(c.status, CountStatus::exact);
+  }
+}
+
+// The axes turn faster than most modes, or than all of them, vibrate: K has hundreds of negative directions. Windows
+// anywhere, the lowest, and the motions by the matrices that were given.
+TEST(SparseModes, AxesFasterThanAllThatTurnsWithThem) {
+  const Index masses = 300;
+  for (const double spin : {0.5, 1.3, 1.9999, 2.5, 40.0}) {
+    const std::vector<double> all = known(masses, spin);
+    const std::size_t n = all.size();
+    for (const std::size_t first : {std::size_t{2}, n / 3, n - 50})
+      expect_window(masses, spin, 0.5 * (all[first - 1] + all[first]), 0.5 * (all[first + 40] + all[first + 41]), true);
+    expect_window(masses, spin, 0, 0.5 * (all[30] + all[31]), true);
+    ModesOptions o;
+    o.lowest = 20;
+    const ModesResult r = find_modes(SparseSystem(assembled(chain(masses, spin))), o);
+    EXPECT_TRUE(r.is_complete()) << spin << ": " << r.coverage.reason;
+    ASSERT_GE(r.modes.size(), 20U);
+    for (std::size_t k = 0; k < r.modes.size(); ++k) {
+      EXPECT_NEAR(r.modes[k].omega, all[k], 1e-10 * (1 + spin)) << spin << " " << k;
+      EXPECT_LE(r.modes[k].residual, 3e-11) << spin << " " << k;
+    }
+  }
+}
+
+// The same as the dense engine has it, in other units and with signs and places of coordinates mixed.
+TEST(SparseModes, IsotropyIsFoundInAnyOrder) {
+  support::Source source{std::mt19937_64(5)};
+  for (int draw = 0; draw < 12; ++draw) {
+    const Index half = source.integer(3, 12), n = 2 * half;
+    const double unit = std::exp2(static_cast<double>(source.integer(-30, 30))),
+                 time = std::exp2(static_cast<double>(source.integer(-20, 20)));
+    const double spin = std::uniform_real_distribution<double>(0.1, 3)(source.bits) / time;
+    const Matrix m0 = unit * source.symmetric(half, 0), k0 = unit / (time * time) * source.symmetric(half, 0);
+    std::vector<Index> place(static_cast<std::size_t>(n));
+    for (std::size_t i = 0; i < place.size(); ++i) place[i] = static_cast<Index>(i);
+    std::shuffle(place.begin(), place.end(), source.bits);
+    Matrix m = Matrix::Zero(n, n), g = m, k = m;
+    for (Index i = 0; i < half; ++i) {
+      for (Index j = 0; j < half; ++j) {
+        for (int d = 0; d < 2; ++d) {
+          const Index r = place[static_cast<std::size_t>(2 * i + d)], c = place[static_cast<std::size_t>(2 * j + d)],
+                      across = place[static_cast<std::size_t>(2 * j + 1 - d)];
+          m(r, c) = m0(i, j);
+          k(r, c) = k0(i, j) - spin * spin * m0(i, j);
+          g(r, across) = (d == 0 ? -2 : 2) * spin * m0(i, j);
+        }
+      }
+    }
+    const SparseSystem system({support::lower_of(m), support::lower_of(g, false), support::lower_of(k), {}, {}});
+    ModesOptions o;
+    o.lowest = std::min<Index>(n - 2, 8);
+    const ModesResult r = find_modes(system, o), dense = find_modes(System(m, g, k));
+    EXPECT_NE(r.solver.find("isotropic"), std::string::npos) << draw;
+    EXPECT_TRUE(r.is_complete()) << draw << ": " << r.coverage.reason;
+    EXPECT_EQ(r.stability, dense.stability) << draw;
+    EXPECT_EQ(r.index_balance.negative, dense.index_balance.negative) << draw;
+    EXPECT_EQ(r.index_balance.negative_energy, dense.index_balance.negative_energy) << draw;
+    EXPECT_EQ(r.negative_modes.size(), dense.negative_modes.size()) << draw;
+    for (std::size_t i = 0; i < r.modes.size(); ++i) {
+      EXPECT_NEAR(r.modes[i].omega, dense.modes[i].omega, 1e-10 * dense.modes[i].omega + 2 * dense.modes[i].error_bound)
+          << draw << " " << i;
+      EXPECT_EQ(r.modes[i].energy_sign, dense.modes[i].energy_sign) << draw << " " << i;
+      EXPECT_LE(r.modes[i].residual, 1e-12) << draw << " " << i;
+    }
+    // One entry that differs beyond rounding is enough for another way, with the same roots.
+    Matrix other = k;
+    other(place[0], place[0]) *= 1 + 1e-9;
+    const ModesResult s =
+        find_modes(SparseSystem({support::lower_of(m), support::lower_of(g, false), support::lower_of(other), {}, {}}), o);
+    EXPECT_EQ(s.solver.find("isotropic"), std::string::npos) << draw;
+  }
 }
 
 TEST(SparseModes, LowestOfAChain) {
   for (const double spin : {0.0, 0.001}) {
     ModesOptions o;
     o.lowest = 12;
-    const ModesResult r = find_modes(SparseSystem(assembled(chain(3000, spin))), o);
+    const ModesResult r = find_modes(SparseSystem(assembled(chain(3000, spin, false))), o);
     EXPECT_TRUE(r.is_complete()) << r.coverage.reason;
     const std::vector<double> expected = known(3000, spin);
     ASSERT_GE(r.modes.size(), 12u);
@@ -192,11 +280,18 @@ TEST(SparseModes, ManyEqualRoots) {
       }
     }
   }
-  many.mass.resize(copies * n, copies * n);
-  many.stiffness.resize(copies * n, copies * n);
+  const Index last = copies * n;  // along the axis, far above all others: what makes it not isotropic
+  many.coordinates.push_back({copies * masses, 2});
+  m.emplace_back(static_cast<int>(last), static_cast<int>(last), 1);
+  k.emplace_back(static_cast<int>(last), static_cast<int>(last), 100);
+  many.mass.resize(last + 1, last + 1);
+  many.stiffness.resize(last + 1, last + 1);
   many.mass.setFromTriplets(m.begin(), m.end());
   many.stiffness.setFromTriplets(k.begin(), k.end());
-  const SparseSystem system(assembled(many));
+  StructureParts isotropic = many;
+  isotropic.coordinates.pop_back();
+  isotropic.mass = SparseMatrix(many.mass.topLeftCorner(last, last));
+  isotropic.stiffness = SparseMatrix(many.stiffness.topLeftCorner(last, last));
   const std::vector<double> once = known(masses, spin);
   const auto expect = [&](const ModesResult& r, std::size_t from, std::size_t to) {
     EXPECT_TRUE(r.is_complete()) << r.coverage.reason;
@@ -204,12 +299,15 @@ TEST(SparseModes, ManyEqualRoots) {
     for (std::size_t i = 0; i < r.modes.size(); ++i)
       EXPECT_NEAR(r.modes[i].omega, once[from + i / static_cast<std::size_t>(copies)], 1e-10);
   };
-  ModesOptions o;
-  o.window = {0.5 * (once[1] + once[2]), 0.5 * (once[4] + once[5])};
-  expect(find_modes(system, o), 2, 5);
-  o = {};
-  o.lowest = 30;
-  expect(find_modes(system, o), 0, 2);
+  for (const StructureParts& parts : {many, isotropic}) {
+    const SparseSystem system(assembled(parts));
+    ModesOptions o;
+    o.window = {0.5 * (once[1] + once[2]), 0.5 * (once[4] + once[5])};
+    expect(find_modes(system, o), 2, 5);
+    o = {};
+    o.lowest = 30;
+    expect(find_modes(system, o), 0, 2);
+  }
 }
 
 // More modes than one shift is asked for, and windows that reach below the lowest mode or above the highest.
@@ -238,7 +336,7 @@ TEST(SparseModes, InteriorWindowsWhateverTheCountsAtRestSay) {
 
 // Work that is stopped leaves what was found around the shift, and says so.
 TEST(SparseModes, StoppedInsideAWindow) {
-  const SparseSystem system(assembled(chain(600, 0.0003)));
+  const SparseSystem system(assembled(chain(600, 0.0003, false)));
   const std::vector<double> all = known(600, 0.0003);
   bool some = false;
   for (int after = 1; after < 30; ++after) {

@@ -1,6 +1,7 @@
 // Modes of sparse systems.
 #include "gyromode/base/error.h"
 #include "gyromode/modes/answer.h"
+#include "gyromode/modes/isotropic_spectrum.h"
 #include "gyromode/modes/modes.h"
 #include "gyromode/modes/sparse_spectrum.h"
 #include "gyromode/sparse/blas_threads.h"
@@ -28,6 +29,10 @@ ModesResult find_modes(const SparseSystem& system, const ModesOptions& options) 
   if (options.method != Method::automatic)
     throw NotApplicable("a sparse model has one method, 'auto': the others serve dense matrices and spacecraft");
   const auto threads = sparse::few_blas_threads(system.size());
+  if (const std::optional<sparse::Isotropy> isotropy = sparse::isotropy_of(system)) {
+    const IsotropicSpectrum spectrum(system, *isotropy, options.progress);
+    if (spectrum.serves()) return modes_of(spectrum, options);
+  }
   const SparseSpectrum spectrum(system, options.progress);
   if (!spectrum.balance().closed && serves_dense(system)) return find_modes(dense_of(system), options);
   return modes_of(spectrum, options);
@@ -36,6 +41,10 @@ ModesResult find_modes(const SparseSystem& system, const ModesOptions& options) 
 CountResult count_modes(const SparseSystem& system, const Window& window) {
   require_window(window);
   const auto threads = sparse::few_blas_threads(system.size());
+  if (const std::optional<sparse::Isotropy> isotropy = sparse::isotropy_of(system)) {
+    const IsotropicSpectrum spectrum(system, *isotropy, {});
+    if (spectrum.serves()) return count_of(spectrum, window);
+  }
   const SparseSpectrum spectrum(system);
   if (!spectrum.balance().closed && serves_dense(system)) return count_modes(dense_of(system), window);
   return count_of(spectrum, window);

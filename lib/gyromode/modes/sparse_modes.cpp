@@ -1,6 +1,8 @@
 #include "gyromode/modes/sparse_modes.h"
 
 #include "gyromode/base/rounding.h"
+#include "gyromode/modes/shape.h"
+#include "gyromode/sparse/basis.h"
 
 #include <algorithm>
 
@@ -47,5 +49,20 @@ double gap_after(const SparseModes& roots, Index count) {
 }
 
 double error_of(const sparse::RitzMode& m) { return std::max(m.error_bound, 4 * epsilon * m.omega); }
+
+Mode mode_of(const SparseSystem& system, const sparse::RitzMode& m, bool with_shape) {
+  Mode mode;
+  mode.omega = m.omega;
+  mode.energy_sign = m.energy_sign;
+  mode.residual = m.residual;
+  mode.error_bound = m.error_bound;
+  if (system.basis()) mode.residual += system.basis()->departure;
+  if (with_shape) {
+    const ComplexVector shape = sparse::in_given(system, m.shape);
+    mode.form = m.form / std::norm(largest_entry(shape));
+    mode.shape = normalised(shape);
+  }
+  return mode;
+}
 
 }  // namespace gyromode

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gyromode/sparse/search.h"
+#include "gyromode/spectrum/result.h"
 
 #include <optional>
 #include <vector>
@@ -32,5 +33,8 @@ double gap_after(const SparseModes& roots, Index count);
 
 /// The error of a root: its bound, and not less than rounding of ω.
 double error_of(const sparse::RitzMode& m);
+
+/// A mode of a result, its shape in the coordinates given.
+Mode mode_of(const SparseSystem& system, const sparse::RitzMode& m, bool with_shape);
 
 }  // namespace gyromode

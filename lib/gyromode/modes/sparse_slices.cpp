@@ -53,7 +53,7 @@ std::optional<SparseSlices::Slice> SparseSlices::slice(const Window& window) {
   s.shift = middle;
   constexpr int attempts = 8;
   for (int k = 0; k < attempts && counts_.at(s.shift).doubtful(); ++k) s.shift = middle * (1 - 1e-5 * std::exp2(k));
-  if (counts_.at(s.shift).doubtful()) return std::nullopt;
+  if (counts_.at(s.shift).doubtful() || counts_.at(s.shift).positive <= searches_.free().t.cols()) return std::nullopt;  // all are below
   s.below = counts_.at(s.shift).negative - counts_.at_zero();
   const Index copies = searches_.groups().partition ? 1 : 2;  // of every root, as the operator has it
   sparse::Goal goal;

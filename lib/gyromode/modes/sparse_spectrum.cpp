@@ -68,24 +68,9 @@ RootRange SparseSpectrum::range_of(SparseModes modes, bool from_zero) const {
   for (const sparse::RitzMode& m : *kept) r.roots.push_back({m.omega, error_of(m), m.energy_sign, false, false, ""});
   r.mode = [this, kept, zero](std::size_t i, bool with_shape) {
     const auto root = static_cast<Index>(i);
-    return root < zero ? zero_mode(root, with_shape) : mode_of((*kept)[i - static_cast<std::size_t>(zero)], with_shape);
+    return root < zero ? zero_mode(root, with_shape) : mode_of(system_, (*kept)[i - static_cast<std::size_t>(zero)], with_shape);
   };
   return r;
-}
-
-Mode SparseSpectrum::mode_of(const sparse::RitzMode& m, bool with_shape) const {
-  Mode mode;
-  mode.omega = m.omega;
-  mode.energy_sign = m.energy_sign;
-  mode.residual = m.residual;
-  mode.error_bound = m.error_bound;
-  if (system_.basis()) mode.residual += system_.basis()->departure;
-  if (with_shape) {
-    const ComplexVector shape = sparse::in_given(system_, m.shape);
-    mode.form = m.form / std::norm(largest_entry(shape));
-    mode.shape = normalised(shape);
-  }
-  return mode;
 }
 
 Mode SparseSpectrum::zero_mode(Index which, bool with_shape) const {
@@ -118,7 +103,7 @@ void SparseSpectrum::describe(ModesResult& r, bool with_shapes) const {
                 : balance_.index().negative == 0        ? Stability::stable
                 : balance_.index().zero > 0 && !rigid() ? Stability::marginal
                                                         : Stability::gyroscopically_stabilised;
-  for (const sparse::RitzMode& m : balance_.negative()) r.negative_modes.push_back(mode_of(m, with_shapes));
+  for (const sparse::RitzMode& m : balance_.negative()) r.negative_modes.push_back(mode_of(system_, m, with_shapes));
   for (const sparse::RitzUnstable& u : balance_.unstable()) {
     r.unstable.push_back({u.lambda.real(), u.lambda.imag(), u.residual, u.error_bound, {}});
     if (with_shapes) r.unstable.back().shape = normalised(sparse::in_given(system_, u.shape));

@@ -32,7 +32,6 @@ class SparseSpectrum : public CountedSpectrum {
 
  private:
   RootRange range_of(SparseModes modes, bool from_zero) const;
-  Mode mode_of(const sparse::RitzMode& m, bool with_shape) const;
   /// A pair of zero roots, a drift or a displacement of null(K).
   Mode zero_mode(Index which, bool with_shape) const;
   bool rigid() const { return balance_.index().negative == 0 || searches_.free().rigid; }

@@ -25,6 +25,25 @@ PoleMet met_at(double omega, double error, const SparseSystem& s, const ComplexV
   return {omega, error, std::norm(shape.dot(force.cast<Complex>())) / mass, shape.cwiseAbs().dot(force.cwiseAbs()) > 0};
 }
 
+// Of every coordinate, whether a force acts on the component that it belongs to.
+std::vector<bool> reached_by(const Vector& force, const Structure& structure) {
+  std::vector<bool> reached(static_cast<std::size_t>(force.size()), false);
+  for (const Component& c : structure.components) {
+    const bool any = std::any_of(c.coordinates.begin(), c.coordinates.end(), [&](Index i) { return force(i) != 0; });
+    for (const Index i : c.coordinates) reached[static_cast<std::size_t>(i)] = any;
+  }
+  return reached;
+}
+
+double error_of(const Mode& m) { return m.error_bound + 4 * epsilon * m.omega; }
+
+// A mode whose errors leave it apart from its neighbours has its shape in one component, whatever rounding puts
+// elsewhere.
+bool stands_alone(const std::vector<Mode>& all, std::size_t k) {
+  const auto apart = [&](const Mode& a, const Mode& b) { return b.omega - a.omega > error_of(a) + error_of(b); };
+  return (k == 0 || apart(all[k - 1], all[k])) && (k + 1 == all.size() || apart(all[k], all[k + 1]));
+}
+
 // Modes in and about the range, ascending: those a little beyond tell how well shapes near its ends are known.
 ModesResult modes_about(const SparseSystem& s, const Vector& grid, const Progress& progress) {
   constexpr double beyond = 0.1;
@@ -49,8 +68,13 @@ std::vector<DrivenMode> poles_of(const SparseSystem& s, const ModesResult& found
     poles.push_back(met_at(omega, 1e-7 * omega, s, sparse::in_given(s, t.cast<Complex>()), force));
   }
   std::vector<DrivenMode> rest;
-  for (const Mode& m : found.modes) {
-    const PoleMet p = met_at(m.omega, m.error_bound + 4 * epsilon * m.omega, s, m.shape, force);
+  const std::vector<bool> reached = reached_by(force, found.structure);
+  for (std::size_t k = 0; k < found.modes.size(); ++k) {
+    const Mode& m = found.modes[k];
+    PoleMet p = met_at(m.omega, error_of(m), s, m.shape, force);
+    Index largest = 0;
+    m.shape.cwiseAbs().maxCoeff(&largest);
+    p.met = p.met && (reached[static_cast<std::size_t>(largest)] || !stands_alone(found.modes, k));
     if (m.omega > 0) {
       poles.push_back(p);
       continue;

@@ -1,9 +1,9 @@
 #include "gyromode/sparse/lanczos.h"
 
+#include "gyromode/lapack/hermitian.h"
 #include "gyromode/lapack/multiply.h"
+#include "gyromode/lapack/symmetric.h"
 #include "gyromode/sparse/orthonormal.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -119,17 +119,17 @@ Lanczos::Ritz Lanczos::ritz() const {
     std::sort(order.begin(), order.end(), [&](Index a, Index b) { return std::abs(values(a)) > std::abs(values(b)); });
   };
   if (inverse_.skew()) {  // H z = −jθ z of jH z = θ z
-    const Eigen::SelfAdjointEigenSolver<ComplexMatrix> e(Complex(0, 1) * h);
-    sorted(e.eigenvalues(), true);
+    const lapack::HermitianEigen e = lapack::hermitian_eigen(Complex(0, 1) * h);
+    sorted(e.values, true);
     const double root2 = std::sqrt(2.0);
-    r.theta = e.eigenvalues()(order);
-    r.re = root2 * e.eigenvectors()(Eigen::all, order).real();
-    r.im = root2 * e.eigenvectors()(Eigen::all, order).imag();
+    r.theta = e.values(order);
+    r.re = root2 * e.vectors(Eigen::all, order).real();
+    r.im = root2 * e.vectors(Eigen::all, order).imag();
   } else {
-    const Eigen::SelfAdjointEigenSolver<Matrix> e(h);
-    sorted(e.eigenvalues(), false);
-    r.theta = e.eigenvalues()(order);
-    r.re = e.eigenvectors()(Eigen::all, order);
+    const lapack::SymmetricEigen e = lapack::symmetric_eigen(h);
+    sorted(e.values, false);
+    r.theta = e.values(order);
+    r.re = e.vectors(Eigen::all, order);
   }
   Vector squares = (rest_ * r.re.bottomRows(last_)).colwise().squaredNorm();
   if (r.im.size() > 0) squares = 0.5 * (squares + Vector((rest_ * r.im.bottomRows(last_)).colwise().squaredNorm()));

@@ -48,9 +48,29 @@ struct Forms {
   double at(Index i, double w) const { return k(i) + w * c(i) - w * w * m(i); }
 };
 
+// Re Σ conj(a_i) b_i in short pieces, what is lost where they are added kept beside: of 10⁵ terms added one after the
+// other rounding is 100 ε of the sum of moduli, and the root would be no better.
+template <class Scalar>
+double sum_of_products(const Scalar* a, const Scalar* b, Index n) {
+  using Piece = Eigen::Map<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>;
+  constexpr Index piece = 64;
+  double sum = 0, lost = 0;
+  for (Index i = 0; i < n; i += piece) {
+    const Index m = std::min(piece, n - i);
+    const double term = std::real(Piece(a + i, m).dot(Piece(b + i, m))), next = sum + term;
+    lost += std::abs(sum) >= std::abs(term) ? (sum - next) + term : (term - next) + sum;
+    sum = next;
+  }
+  return sum + lost;
+}
+
 template <class Scalar>
 Forms forms_of(const Made<Scalar>& a) {
-  const auto form = [&](const auto& b) { return Vector(a.u.conjugate().cwiseProduct(b).colwise().sum().real().transpose()); };
+  const auto form = [&](const auto& b) {
+    Vector f(b.cols());
+    for (Index k = 0; k < b.cols(); ++k) f(k) = sum_of_products(a.u.col(k).data(), b.col(k).data(), b.rows());
+    return f;
+  };
   return {form(a.k), form(a.m), form(a.c)};
 }
 
