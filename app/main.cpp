@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
   add_campbell(program, code);
   add_critical(program, code);
   add_response(program, code);
+  add_report(program, code);
   add_convert(program, code);
   const std::vector<std::string_view> verbs = verbs_of(program);
   std::vector<std::string> words(argv + 1, argv + argc);

@@ -77,17 +77,18 @@ ExitCode run(const Options& given) {
   o.output.pictures = job.model().body->has_outlines();
   const Format format = o.output.chosen();
   const bool parts = !job.model().body->orbits().empty();  // whirl and parts belong in the table
-  options.shapes = o.shapes || format == Format::svg || o.sensitivity.asked || o.participation || parts;
+  const bool drawn = format == Format::svg || format == Format::html;
+  options.shapes = o.shapes || drawn || o.sensitivity.asked || o.participation || parts;
   ModeDetails details;
   ModesResult result = job.answer([&](const Model& m, const Progress& progress) {
     options.progress = progress;
     ModesResult found = m.modes(options);
     if (o.sensitivity.asked && !found.coverage.interrupted) progress.stage("sensitivities");
-    if (o.participation || parts) details = details_of(m, found);
+    if (o.participation || parts || format == Format::html) details = details_of(m, found);
     if (!found.coverage.interrupted) details.sensitivities = o.sensitivity.of(m, found.modes);
     return found;
   });
-  if (!o.shapes && format != Format::svg) result.drop_shapes();
+  if (!o.shapes && !drawn) result.drop_shapes();
   o.output.write(document(job.model(), result, job.timings(), o.output.layout(), o.schema, details));
   if (o.output.verbose) {
     for (const std::string& line : evidence(result)) o.output.say(line);

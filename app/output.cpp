@@ -19,12 +19,13 @@ namespace gyromode::app {
 
 void OutputOption::add_to(CLI::App& verb) {
   verb.add_option("--format", format,
-                  "table, json, csv, markdown, or svg (a picture: of modes, campbell, critical --over, stability --vary, response); "
+                  "table, json, csv, markdown, html (a page of its own, with pictures that move), or svg (a picture: of modes, campbell, "
+                  "critical --over, stability --vary, response); "
                   "default: by the extension of -o, "
                   "else table")
       ->type_name("FORMAT")
-      ->check(CLI::IsMember({"table", "json", "csv", "markdown", "svg"}));
-  verb.add_option("-o,--output", file, "Write the result to FILE (.json, .csv, .md, .svg by extension) instead of stdout")
+      ->check(CLI::IsMember({"table", "json", "csv", "markdown", "html", "svg"}));
+  verb.add_option("-o,--output", file, "Write the result to FILE (.json, .csv, .md, .html, .svg by extension) instead of stdout")
       ->type_name("FILE");
   verb.add_option(
           "--units", units,
@@ -86,10 +87,10 @@ Layout OutputOption::layout(Format otherwise) const {
 void OutputOption::require_place(const std::vector<std::string>& inputs) const {
   if (file.empty()) return;
   const std::string extension = std::filesystem::path(file).extension().string();
-  constexpr std::string_view known[] = {"", ".json", ".csv", ".md", ".svg", ".txt", ".out", ".log"};
+  constexpr std::string_view known[] = {"", ".json", ".csv", ".md", ".html", ".htm", ".svg", ".txt", ".out", ".log"};
   if (format.empty() && std::find(std::begin(known), std::end(known), extension) == std::end(known))
     throw UsageError(fmt::format(
-        "-o {}: '{}' is no format that is written: .json, .csv, .md, .svg or .txt (a table) was expected, or --format", file, extension));
+        "-o {}: '{}' is no format that is written: .json, .csv, .md, .html, .svg or .txt (a table) was expected, or --format", file, extension));
   for (const std::string& input : inputs) {
     std::error_code error;
     if (!input.empty() && std::filesystem::equivalent(file, input, error) && !error)

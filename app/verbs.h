@@ -12,6 +12,7 @@ void add_stability(CLI::App& program, int& code);
 void add_campbell(CLI::App& program, int& code);
 void add_critical(CLI::App& program, int& code);
 void add_response(CLI::App& program, int& code);
+void add_report(CLI::App& program, int& code);
 void add_convert(CLI::App& program, int& code);
 
 }  // namespace gyromode::app

@@ -10,6 +10,7 @@
 #include "gyromode/base/quantity.h"
 #include "gyromode/base/types.h"
 #include "gyromode/formats/matrix_market.h"
+#include "gyromode/html/report_page.h"
 #include "gyromode/models/conversion.h"
 #include "gyromode/models/model.h"
 #include "gyromode/modes/modes.h"

@@ -113,9 +113,9 @@ RootRange IsotropicSpectrum::roots(const Window& range, const Progress& progress
 std::optional<RootRange> IsotropicSpectrum::lowest_roots(Index count, const Window& range, const Progress& progress) const {
   if (range.a > 0) return std::nullopt;
   constexpr int attempts = 60;
-  constexpr Index more = 4;
+  constexpr Index spare = 4, half = spare / 2;
   constexpr double step = 30;
-  const Index wanted = std::min(count + more, system_.size()), enough = wanted + std::max<Index>(wanted / 2, more);
+  const Index wanted = std::min(count + spare, system_.size()), enough = wanted + std::max(wanted / 2, spare);
   const double highest = std::sqrt(standing_.stiffness().diagonal().cwiseQuotient(standing_.mass().diagonal()).maxCoeff());
   double low = 0, high = infinity, b = highest * static_cast<double>(wanted) / static_cast<double>(system_.size());
   for (int k = 0; k < attempts; ++k) {
@@ -123,7 +123,7 @@ std::optional<RootRange> IsotropicSpectrum::lowest_roots(Index count, const Wind
     if (there >= wanted && (there <= enough || high < low * (1 + 1e-6))) break;
     (there < wanted ? low : high) = b;
     const double guess =
-        b * std::clamp(static_cast<double>(wanted + more / 2) / static_cast<double>(std::max<Index>(there, 1)), 1 / step, step);
+        b * std::clamp(static_cast<double>(wanted + half) / static_cast<double>(std::max<Index>(there, 1)), 1 / step, step);
     const bool inside = guess > low * 1.001 && guess < high * 0.999;
     b = inside ? guess : low == 0 ? high / step : high == infinity ? low * step : std::sqrt(low * high);
   }

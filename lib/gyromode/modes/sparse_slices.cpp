@@ -11,7 +11,7 @@ namespace {
 
 using Expected = sparse::Search::Expected;
 
-constexpr double beyond_error = 1e-6;
+constexpr double beside = 1e-6;
 constexpr Index most_beyond = 2;  // modes beyond an end of the window
 
 // Those around a shift that have converged, without one between that has not: the first, and the one after the last.
@@ -67,16 +67,16 @@ std::optional<SparseSlices::Slice> SparseSlices::slice(const Window& window) {
         std::count_if(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), [&](const Expected& e) { return e.omega < s.shift; }));
     s.lowest = below == copies * s.below;
     double from = all[first].omega, to = all[last - 1].omega;
-    const bool both = (s.lowest || from < window.a * (1 - beyond_error)) && to > window.b * (1 + beyond_error);
+    const bool both = (s.lowest || from < window.a * (1 - beside)) && to > window.b * (1 + beside);
     if (!both && static_cast<Index>(last - first) < copies * most_at_one_shift) return std::nullopt;
     Index below_window = 0, above_window = 0;  // one or two of them leave a gap beyond either end
     for (std::size_t k = last; k-- > first;) {
-      if (all[k].omega < window.a * (1 - beyond_error) && below_window++ < copies * most_beyond) from = all[k].omega;
+      if (all[k].omega < window.a * (1 - beside) && below_window++ < copies * most_beyond) from = all[k].omega;
     }
     for (std::size_t k = first; k < last; ++k) {
-      if (all[k].omega > window.b * (1 + beyond_error) && above_window++ < copies * most_beyond) to = all[k].omega;
+      if (all[k].omega > window.b * (1 + beside) && above_window++ < copies * most_beyond) to = all[k].omega;
     }
-    return Window{from * (1 - beyond_error), to * (1 + beyond_error)};
+    return Window{from * (1 - beside), to * (1 + beside)};
   };
   const std::unique_ptr<sparse::Search> search = searches_.about(s.shift, most_at_one_shift);
   sparse::MeasuredRoots found = listable(*search, goal, progress_);
@@ -84,7 +84,7 @@ std::optional<SparseSlices::Slice> SparseSlices::slice(const Window& window) {
     const std::vector<Expected> all = search->look();
     const auto [first, last] = converged_about(s.shift, all);
     if (first == last) return s;
-    found = search->found({all[first].omega * (1 - beyond_error), all[last - 1].omega * (1 + beyond_error)});
+    found = search->found({all[first].omega * (1 - beside), all[last - 1].omega * (1 + beside)});
   }
   s.modes = std::move(found.modes);
   return s;

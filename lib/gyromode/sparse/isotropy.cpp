@@ -84,7 +84,7 @@ std::optional<SparseMatrix> block_twice(const SparseMatrix& a, const Pairs& p) {
     }
     if (one || two) return std::nullopt;
   }
-  return block[0];
+  return std::move(block[0]);
 }
 
 // Whether G_yx is 2ΩM₀, entry by entry.
@@ -119,7 +119,7 @@ std::optional<Isotropy> isotropy_of(const SparseSystem& s) {
   i.spin = std::abs(s.gyroscopic().coeff(std::max(x, y), std::min(x, y))) / (2 * mass->coeff(0, 0));
   if (!is_turning(s.gyroscopic(), *p, *mass, i.spin)) return std::nullopt;
   i.stiffness = *stiffness + (i.spin * i.spin) * *mass;
-  i.mass = std::move(*mass);
+  i.mass = *mass;
   i.x = std::move(p->x);
   i.y = std::move(p->y);
   return i;

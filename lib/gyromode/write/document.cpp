@@ -1,5 +1,6 @@
 #include "gyromode/write/document.h"
 
+#include "gyromode/html/report_page.h"
 #include "gyromode/models/model_kind.h"
 #include "gyromode/write/campbell_svg.h"
 
@@ -17,6 +18,7 @@ std::optional<Format> format_named(std::string_view name) {
   if (name == "csv") return Format::csv;
   if (name == "markdown") return Format::markdown;
   if (name == "svg") return Format::svg;
+  if (name == "html") return Format::html;
   return std::nullopt;
 }
 
@@ -26,6 +28,7 @@ Format format_for(const std::filesystem::path& file) {
   if (extension == ".csv") return Format::csv;
   if (extension == ".md") return Format::markdown;
   if (extension == ".svg") return Format::svg;
+  if (extension == ".html" || extension == ".htm") return Format::html;
   return Format::table;
 }
 
@@ -33,12 +36,17 @@ namespace {
 
 using namespace io;
 
+// A page is made of the document as JSON.
+std::string finished(Writer& w, std::string_view kind, const Layout& layout) {
+  return layout.format == Format::html ? report_page({{std::string(kind), w.text()}}) : w.text();
+}
+
 template <class Result>
 std::string written(std::string_view kind, const Model& model, const Result& result, const Timings& timings, const Layout& layout,
                     int version = 1) {
   const std::unique_ptr<Writer> w = writer(kind, model, timings, layout, version);
   describe(model, result, *w);
-  return w->text();
+  return finished(*w, kind, layout);
 }
 
 }  // namespace
@@ -49,7 +57,7 @@ std::string document(const Model& model, const ModesResult& result, const Timing
   const std::unique_ptr<Writer> w = writer("modes", model, timings, layout, version);
   describe(model, result, details, *w);
   describe_sensitivities(details.sensitivities, result.frequencies(), *w);
-  return w->text();
+  return finished(*w, "modes", layout);
 }
 
 ModeDetails details_of(const Model& model, const ModesResult& result) {
@@ -83,7 +91,7 @@ std::string document(const Model& model, const CriticalSpeeds& speeds, const Tim
   std::vector<double> omega;
   for (const CriticalSpeed& c : speeds.speeds) omega.push_back(c.speed);
   describe_sensitivities(sensitivities, omega, *w);
-  return w->text();
+  return finished(*w, "critical", layout);
 }
 std::string document(const Model& model, const Campbell& diagram, const Timings& timings, const Layout& layout) {
   return layout.format == Format::svg ? campbell_svg(model, diagram, layout) : written("campbell", model, diagram, timings, layout);

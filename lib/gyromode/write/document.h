@@ -14,11 +14,11 @@
 namespace gyromode {
 
 /// How a result is written.
-enum class Format { table, json, csv, markdown, svg };
+enum class Format { table, json, csv, markdown, svg, html };
 
-/// By name ("table", "json", "csv", "markdown", "svg"), or nothing.
+/// By name ("table", "json", "csv", "markdown", "svg", "html"), or nothing.
 std::optional<Format> format_named(std::string_view name);
-/// By the extension of a file: .json, .csv, .md, .svg; table for the rest.
+/// By the extension of a file: .json, .csv, .md, .svg, .html; table for the rest.
 Format format_for(const std::filesystem::path& file);
 
 /// Seconds spent.
@@ -56,7 +56,7 @@ ModeDetails details_of(const Model& model, const ModesResult& result);
 /// the largest residual and error bound, the nearest roots of opposite energy sign.
 std::vector<std::string> evidence(const ModesResult& result);
 
-/// A result as text in the format asked for; svg, a picture of the shapes, is for the modes of a spacecraft with
+/// A result as text in the format asked for; html is a page of its own (html/report_page.h); svg, a picture of the shapes, is for the modes of a spacecraft with
 /// shapes. JSON follows the public schemas (docs/results.md), 17 significant digits where needed. `version` of the
 /// schema gyromode/modes: 1, a shape with each mode; 2, shapes and displacements of all modes as one block.
 std::string document(const Model& model, const ModesResult& result, const Timings& timings, const Layout& layout, int version = 1,

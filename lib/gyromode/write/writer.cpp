@@ -8,14 +8,19 @@
 #include "gyromode/write/grid.h"
 #include "gyromode/write/words.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace gyromode::io {
 
 namespace {
+
+// "2026-11-28T01:30:00Z".
+std::string now() { return fmt::format("{:%FT%TZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now()))); }
 
 class JsonWriter : public Writer {
  public:
@@ -34,7 +39,7 @@ class JsonWriter : public Writer {
     for (const Parameter& p : model.body->named_parameters()) root_["parameters"][p.key] = p.value;
     root_["options"] = Json::object();
     for (const auto& [option, value] : layout.options) root_["options"][option] = value;
-    root_["timings"] = {{"read_s", timings.read}, {"solve_s", timings.solve}};
+    root_["timings"] = {{"at", now()}, {"read_s", timings.read}, {"solve_s", timings.solve}};
   }
 
   void fact(std::string_view key, Json value, std::string_view, const std::string&) override {
@@ -194,7 +199,7 @@ std::string Writer::frequency_heading(std::string_view what) const {
 std::string Writer::spin_heading() const { return fmt::format("{} [{}]", spins_in_radians() ? "Ω" : "speed", spin_unit()); }
 
 std::unique_ptr<Writer> writer(std::string_view kind, const Model& model, const Timings& timings, const Layout& layout, int version) {
-  if (layout.format == Format::json) return std::make_unique<JsonWriter>(kind, model, timings, layout, version);
+  if (layout.format == Format::json || layout.format == Format::html) return std::make_unique<JsonWriter>(kind, model, timings, layout, version);
   if (layout.format == Format::csv) return std::make_unique<CsvWriter>(layout);
   return std::make_unique<TextWriter>(model, layout);
 }

@@ -60,7 +60,7 @@ class Writer {
   const Layout& layout() const { return layout_; }
   /// Version of the schema asked for.
   int version() const { return version_; }
-  bool for_json() const { return layout_.format == Format::json; }
+  bool for_json() const { return layout_.format == Format::json || layout_.format == Format::html; }
   bool for_csv() const { return layout_.format == Format::csv; }
 
   /// A frequency or a spin, rad/s, for people and CSV; for JSON as it is.
