@@ -89,8 +89,9 @@ void OutputOption::require_place(const std::vector<std::string>& inputs) const {
   const std::string extension = std::filesystem::path(file).extension().string();
   constexpr std::string_view known[] = {"", ".json", ".csv", ".md", ".html", ".htm", ".svg", ".txt", ".out", ".log"};
   if (format.empty() && std::find(std::begin(known), std::end(known), extension) == std::end(known))
-    throw UsageError(fmt::format(
-        "-o {}: '{}' is no format that is written: .json, .csv, .md, .html, .svg or .txt (a table) was expected, or --format", file, extension));
+    throw UsageError(
+        fmt::format("-o {}: '{}' is no format that is written: .json, .csv, .md, .html, .svg or .txt (a table) was expected, or --format",
+                    file, extension));
   for (const std::string& input : inputs) {
     std::error_code error;
     if (!input.empty() && std::filesystem::equivalent(file, input, error) && !error)

@@ -27,7 +27,8 @@ struct Options {
 
 std::string content_of(const std::string& file) {
   std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw Unreadable(file, "a folder: a result as JSON was expected (gyromode … -o result.json)");
+  if (std::filesystem::is_directory(file, error))
+    throw Unreadable(file, "a folder: a result as JSON was expected (gyromode … -o result.json)");
   std::ifstream in(file, std::ios::binary);
   if (!in) throw Unreadable(file, "no such file, or it cannot be read: a result as JSON was expected (gyromode … -o result.json)");
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -62,10 +63,12 @@ ExitCode run(const Options& o) {
 }  // namespace
 
 void add_report(CLI::App& program, int& code) {
-  CLI::App* verb = program.add_subcommand(
-      "report", "Results as one page of HTML that fetches nothing: tables, certificates, charts, modes that move");
+  CLI::App* verb =
+      program.add_subcommand("report", "Results as one page of HTML that fetches nothing: tables, certificates, charts, modes that move");
   auto o = std::make_shared<Options>();
-  verb->add_option("results", o->results, "Results as JSON (gyromode … -o RESULT.json), of any verbs and models")->type_name("RESULT")->required();
+  verb->add_option("results", o->results, "Results as JSON (gyromode … -o RESULT.json), of any verbs and models")
+      ->type_name("RESULT")
+      ->required();
   verb->add_option("-o,--output", o->file, "The page, .html; default: stdout")->type_name("FILE");
   verb->footer(
       "Any verb makes the page of its own result with -o x.html.\nExamples:\n  gyromode modes models/geos.toml --lowest 12 -o geos.html\n"

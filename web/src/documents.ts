@@ -34,7 +34,7 @@ export interface Mode {
   omega: number; frequency_hz?: number; kind: string; energy_sign: number; multiplicity?: number;
   residual?: number; error_bound?: number; whirl?: string | null; name?: string | null;
   orbits?: Record<string, Orbit>;
-  participation?: { kinetic: Record<string, number>; strain: Record<string, number> };
+  participation?: { kinetic?: Record<string, number>; strain?: Record<string, number> };
   fixed_axes?: { omega: number; share: number }[];
   shape?: Shape; displacements?: Points;
 }

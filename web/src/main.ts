@@ -19,7 +19,7 @@ function modesPage(d: ModesDocument, unit: Unit): Child[] {
   const moving = d.geometry && d.modes.some((m) => m.displacements) ? new Player(d, unit) : null;
   const beside = el("div", { class: "beside", "aria-live": "polite" });
   const select = (place: number): void => {
-    moving?.choose(place);
+    moving?.chooseMode(place);
     const m = d.modes[place];
     if (!m) return;
     beside.replaceChildren(...[el("h4", {}, `Mode ${place + 1}`), participation(m), d.sensitivity ? tornado(d.sensitivity, place) : null, m.shape ? entries(m.shape) : null].filter((e): e is HTMLElement => e !== null));
@@ -58,11 +58,20 @@ function about(d: AnyDocument, name: string): HTMLElement {
     { heading: "name", key: "name", cell: (p) => p[0], value: (p) => p[0] }, { heading: "value (SI)", key: "value", cell: (p) => number(p[1], 10), value: (p) => p[1] }], parameters) : null);
 }
 
+// A document that lacks what its kind has says so in its place; the others stand.
+function made(make: (d: never, unit: Unit) => Child[], d: AnyDocument, unit: Unit): Child[] {
+  try {
+    return make(d as never, unit);
+  } catch (e) {
+    return [el("p", { class: "doubtful", role: "alert" }, `This document is damaged: ${e instanceof Error ? e.message : String(e)}`)];
+  }
+}
+
 function page({ name, document: d }: Named, k: number): HTMLElement {
   const kind = kindOf(d), unit = d.units ?? "rad/s";
   const make = pages[kind];
   return el("article", { id: `document-${k + 1}`, class: kind }, el("header", {}, el("p", { class: "kind" }, titles[kind] ?? kind), el("h2", {}, d.model.title || name)),
-    make ? make(d as never, unit) : el("p", {}, `This page knows no picture of documents of kind ${kind}.`), about(d, name));
+    make ? made(make, d, unit) : el("p", {}, `This page knows no picture of documents of kind ${kind}.`), about(d, name));
 }
 
 function theme(): HTMLElement {

@@ -69,13 +69,15 @@ const Kind& kind_of(const std::string& name, const Json& json) {
   if (known == kinds().end()) {
     std::vector<std::string_view> names;
     for (const Kind& k : kinds()) names.push_back(k.name);
-    throw Unreadable(name, fmt::format("a document of kind '{:.60}' is not known{}: {} were expected", kind, suggestion(kind, names), all_kinds()));
+    throw Unreadable(
+        name, fmt::format("a document of kind '{:.60}' is not known{}: {} were expected", kind, suggestion(kind, names), all_kinds()));
   }
   for (int v = 1; v <= known->newest; ++v) {
     if (version == std::to_string(v)) return *known;
   }
-  throw Unreadable(name, fmt::format("version '{:.20}' of {} is not known to this program: {} was expected; a newer gyromode may have written it",
-                                     version, kind, known->newest == 1 ? "1" : fmt::format("1 to {}", known->newest)));
+  throw Unreadable(name,
+                   fmt::format("version '{:.20}' of {} is not known to this program: {} was expected; a newer gyromode may have written it",
+                               version, kind, known->newest == 1 ? "1" : fmt::format("1 to {}", known->newest)));
 }
 
 void require(const std::string& name, const Json& json, const Kind& kind) {
@@ -83,7 +85,8 @@ void require(const std::string& name, const Json& json, const Kind& kind) {
     throw Unreadable(name, fmt::format("damaged: a document of kind '{}' has \"{}\", {}", kind.name, key, what));
   };
   const auto of = [&](std::string_view key) { return json.find(std::string(key)); };
-  if (of("model") == json.end() || !of("model")->is_object() || !of("model")->value("title", Json()).is_string()) missing("model", "an object with a title");
+  if (of("model") == json.end() || !of("model")->is_object() || !of("model")->value("title", Json()).is_string())
+    missing("model", "an object with a title");
   for (const std::string_view key : kind.objects) {
     if (of(key) == json.end() || !of(key)->is_object()) missing(key, "an object");
   }

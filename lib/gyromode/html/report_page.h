@@ -5,10 +5,10 @@
 
 namespace gyromode {
 
-/// A result as it was written, JSON, and what it is called: the file that it is from.
+/// A result as it was written.
 struct ReportDocument {
-  std::string name;
-  std::string json;
+  std::string name;  ///< what it is called: the file that it is from
+  std::string json;  ///< the document
 };
 
 /// Results as one page of HTML that fetches nothing: tables, certificates, charts and moving pictures of any documents

@@ -56,9 +56,10 @@ ModeDetails details_of(const Model& model, const ModesResult& result);
 /// the largest residual and error bound, the nearest roots of opposite energy sign.
 std::vector<std::string> evidence(const ModesResult& result);
 
-/// A result as text in the format asked for; html is a page of its own (html/report_page.h); svg, a picture of the shapes, is for the modes of a spacecraft with
-/// shapes. JSON follows the public schemas (docs/results.md), 17 significant digits where needed. `version` of the
-/// schema gyromode/modes: 1, a shape with each mode; 2, shapes and displacements of all modes as one block.
+/// A result as text in the format asked for; html is a page of its own (html/report_page.h); svg, a picture of the
+/// shapes, is for the modes of a spacecraft with shapes. JSON follows the public schemas (docs/results.md), 17
+/// significant digits where needed. `version` of the schema gyromode/modes: 1, a shape with each mode; 2, shapes and
+/// displacements of all modes as one block.
 std::string document(const Model& model, const ModesResult& result, const Timings& timings, const Layout& layout, int version = 1,
                      const ModeDetails& details = {});
 std::string document(const Model& model, const CountResult& result, const Timings& timings, const Layout& layout);

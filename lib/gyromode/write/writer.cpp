@@ -199,7 +199,8 @@ std::string Writer::frequency_heading(std::string_view what) const {
 std::string Writer::spin_heading() const { return fmt::format("{} [{}]", spins_in_radians() ? "Ω" : "speed", spin_unit()); }
 
 std::unique_ptr<Writer> writer(std::string_view kind, const Model& model, const Timings& timings, const Layout& layout, int version) {
-  if (layout.format == Format::json || layout.format == Format::html) return std::make_unique<JsonWriter>(kind, model, timings, layout, version);
+  if (layout.format == Format::json || layout.format == Format::html)
+    return std::make_unique<JsonWriter>(kind, model, timings, layout, version);
   if (layout.format == Format::csv) return std::make_unique<CsvWriter>(layout);
   return std::make_unique<TextWriter>(model, layout);
 }

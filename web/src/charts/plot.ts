@@ -34,6 +34,7 @@ export class Chart {
   readonly element: HTMLElement;
   private plot: uPlot | null = null;
   private readonly place = el("div", { class: "canvas", tabindex: 0, role: "application" });
+  private readonly legend = el("ul", { class: "legend", "aria-label": "curves" });
   private readonly tip = el("div", { class: "tip", hidden: true });
   private curve = 0;
   private point = 0;
@@ -44,7 +45,7 @@ export class Chart {
     const take = (kind: "png" | "svg") => el("button", { type: "button", onclick: () => this.download(kind) }, kind.toUpperCase());
     this.element = el("figure", { class: "chart" }, el("div", { class: "tools" },
       el("button", { type: "button", onclick: () => this.plot?.setData(this.plot.data, true) }, "Whole range"), take("svg"), take("png")),
-      el("div", { class: "stage" }, this.place, this.tip), el("figcaption", {}, of.title));
+      el("div", { class: "stage" }, this.place, this.tip), this.legend, el("figcaption", {}, of.title));
     this.place.addEventListener("keydown", (e) => this.key(e));
     onTheme(() => this.draw());
     new ResizeObserver(() => this.resize()).observe(this.place);
@@ -72,15 +73,18 @@ export class Chart {
   private draw(): void {
     if (this.place.clientWidth === 0) return;
     this.plot?.destroy();
-    const axis = (label: string): uPlot.Axis => ({ label, stroke: themed("--text"), grid: { stroke: themed("--grid"), width: 1 }, ticks: { stroke: themed("--grid"), width: 1 }, font: "12px system-ui", labelFont: "12px system-ui" });
+    const named = 24;
+    this.legend.replaceChildren(...this.of.curves.slice(0, named).map((c, k) => el("li", {}, el("span", { class: "swatch", style: `background:${c.guide ? "var(--muted)" : c.colour ?? colour(k)}` }), c.name)),
+      ...(this.of.curves.length > named ? [el("li", {}, `… ${this.of.curves.length - named} more`)] : []));
+    const axis = (label: string): uPlot.Axis => ({ label, stroke: themed("--text"), grid: { stroke: themed("--grid"), width: 1 }, ticks: { stroke: themed("--grid"), width: 1 }, font: "12px system-ui", labelFont: "12px system-ui", values: (_, splits) => splits.map((v) => (v === null ? "" : text(v, 5))) });
     const { width, height } = this.size();
     this.plot = new uPlot({
-      width, height, legend: { show: false },
+      width, height, legend: { show: false }, pxAlign: 0,
       scales: { x: { time: false, ...(this.of.xLogarithmic ? { distr: 3 as const } : {}) }, y: this.of.logarithmic ? { distr: 3 as const } : {} },
-      axes: [axis(this.of.xName), { ...axis(this.of.yName), size: 64 }],
+      axes: [axis(this.of.xName), { ...axis(this.of.yName), size: 72 }],
       cursor: { focus: { prox: 24 }, drag: { x: true, y: false } },
       focus: { alpha: 0.35 },
-      series: [{}, ...this.of.curves.map((c, k) => ({
+      series: [{}, ...this.of.curves.map((c, k) => ({ pxAlign: 0,
         label: c.name, stroke: c.guide ? themed("--muted") : c.colour ?? colour(k), width: c.width ?? (c.guide ? 1 : 2),
         dash: c.dash ?? (c.guide ? [3, 4] : dash(k)), points: { show: c.points ?? false, size: 6 }, spanGaps: false,
       }))],

@@ -42,13 +42,10 @@ export function evidence(d: ModesDocument, unit: Unit): HTMLElement {
 }
 
 export function participation(m: Mode): HTMLElement | null {
-  if (!m.participation) return null;
-  const names = Object.keys(m.participation.kinetic);
-  const worth = names.filter((n) => (m.participation?.kinetic[n] ?? 0) > 1e-3 || (m.participation?.strain[n] ?? 0) > 1e-3).slice(0, 24);
-  return bars("Where the energy is", worth, [
-    { name: "kinetic", values: worth.map((n) => m.participation?.kinetic[n] ?? 0) },
-    { name: "strain", values: worth.map((n) => m.participation?.strain[n] ?? 0) },
-  ], percent);
+  const shares = (["kinetic", "strain"] as const).flatMap((kind) => (m.participation?.[kind] ? [{ name: kind, of: m.participation[kind] }] : []));
+  const names = [...new Set(shares.flatMap((s) => Object.keys(s.of)))].filter((n) => shares.some((s) => (s.of[n] ?? 0) > 1e-3)).slice(0, 24);
+  if (names.length === 0) return null;
+  return bars("Where the energy is", names, shares.map((s) => ({ name: s.name, values: names.map((n) => s.of[n] ?? 0) })), percent);
 }
 
 /** A tornado: by how many per cent a mode moves where a number moves by one, largest first. */

@@ -77,7 +77,8 @@ export function table<Row>(caption: string, columns: Column<Row>[], rows: readon
       fill();
       announce(`sorted by ${c.heading}, ${down ? "descending" : "ascending"}`);
     } }, c.heading);
-    return el("th", { scope: "col", "aria-sort": "none" }, button);
+    const number = rows.some((r) => typeof c.value(r) === "number");
+    return el("th", { scope: "col", "aria-sort": "none", class: number ? "number" : "" }, button);
   });
   const id = fresh("filter"), count = el("span", { class: "count", "aria-live": "polite" });
   const tools = el("div", { class: "tools" },

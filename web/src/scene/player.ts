@@ -1,19 +1,21 @@
 // The moving picture with its controls: which mode, play and pause, phase, amplitude, from where, in which axes.
 import { announce, el, fresh } from "../dom";
-import type { ModesDocument, Unit } from "../documents";
+import type { ModesDocument, Points, Shape, Unit } from "../documents";
 import { inUnit, text } from "../numbers";
 import { spoken } from "../words";
+import { bodyMoved, boxOf, withBody } from "./body";
 import { MovingScene, type Motion } from "./scene";
 
-interface Choice { name: string; motion: Motion }
+interface Choice { name: string; motion: Motion; place?: number }
 
-function choices(d: ModesDocument, unit: Unit): Choice[] {
+function choices(d: ModesDocument, unit: Unit, box: number[] | null): Choice[] {
   const all: Choice[] = [];
+  const moved = (of: { shape?: Shape; displacements?: Points }): Points => (box && of.shape && of.displacements ? bodyMoved(of.shape, box, of.displacements) : of.displacements ?? { re: [], im: [] });
   d.modes.forEach((m, k) => {
-    if (m.displacements) all.push({ name: `${k + 1}: ${text(inUnit(m.omega, unit), 6)} ${unit}${m.name ? `, ${m.name}` : m.whirl ? `, ${m.whirl}` : ""}`, motion: { displacements: m.displacements, omega: m.omega } });
+    if (m.displacements) all.push({ name: `${k + 1}: ${text(inUnit(m.omega, unit), 6)} ${unit}${m.name ? `, ${m.name}` : m.whirl ? `, ${m.whirl}` : ""}`, motion: { displacements: moved(m), omega: m.omega }, place: k });
   });
   d.unstable.forEach((u, k) => {
-    if (u.displacements) all.push({ name: `growing ${k + 1}: ${spoken(u.kind)}, ${text(u.growth_rate, 5)} 1/s`, motion: { displacements: u.displacements, omega: u.omega, growth: u.growth_rate } });
+    if (u.displacements) all.push({ name: `growing ${k + 1}: ${spoken(u.kind)}, ${text(u.growth_rate, 5)} 1/s`, motion: { displacements: moved(u), omega: u.omega, growth: u.growth_rate } });
   });
   return all;
 }
@@ -31,7 +33,8 @@ export class Player {
   private readonly button: HTMLButtonElement;
 
   constructor(d: ModesDocument, unit: Unit) {
-    this.all = choices(d, unit);
+    const box = boxOf(d), rest = { points: d.geometry?.points ?? [], lines: d.geometry?.lines ?? [] };
+    this.all = choices(d, unit, box);
     const turning = d.model.frame === "turning", spin = typeof d.parameters?.["spin"] === "number" ? d.parameters["spin"] : null;
     const stage = el("div", { class: "stage scene" });
     const control = (name: string, make: (id: string) => HTMLElement): HTMLElement => { const id = fresh("scene"); return el("span", { class: "control" }, el("label", { for: id }, name), make(id)); };
@@ -44,9 +47,9 @@ export class Player {
       control("Amplitude", (id) => el("input", { id, type: "range", min: 0, max: 0.5, step: 0.01, value: 0.15, oninput: (e: Event) => { if (this.scene) { this.scene.amplitude = Number((e.target as HTMLInputElement).value); this.scene.draw(); } } })),
       el("span", { class: "control", role: "group", "aria-label": "View from" }, (["oblique", "x", "y", "z"] as const).map((v) => el("button", { type: "button", "aria-label": `view from ${v}`, onclick: () => this.scene?.view(v) }, v))),
       turning && spin !== null ? control("Fixed axes", (id) => el("input", { id, type: "checkbox", onchange: (e: Event) => { if (this.scene) { this.scene.fixedAxes = (e.target as HTMLInputElement).checked; this.scene.draw(); } } })) : null),
-    el("figcaption", {}, "Grey: at rest. Drag to turn, wheel to come nearer. Motion is Re(X e^{jωt}), slowed down."));
+    el("figcaption", {}, "Grey: at rest. Drag to turn, wheel to come nearer. Motion is Re(X exp jωt), slowed down."));
     try {
-      this.scene = new MovingScene({ points: d.geometry?.points ?? [], lines: d.geometry?.lines ?? [] }, spin);
+      this.scene = new MovingScene(box ? withBody(rest, box) : rest, spin);
     } catch {
       stage.append(el("p", {}, "This browser has no WebGL: modes cannot be shown moving."));
       return;
@@ -62,8 +65,13 @@ export class Player {
     requestAnimationFrame((t) => this.frame(t));
   }
 
-  /** By the place of the mode in the document. */
-  choose(k: number): void {
+  /** By the place of the mode in the document; nothing changes where that has no picture. */
+  chooseMode(place: number): void {
+    const k = this.all.findIndex((c) => c.place === place);
+    if (k >= 0) this.choose(k);
+  }
+
+  private choose(k: number): void {
     const c = this.all[k];
     if (!c || !this.scene) return;
     this.menu.selectedIndex = k;

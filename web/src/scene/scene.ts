@@ -33,6 +33,8 @@ export class MovingScene {
   private readonly discs: Disc[] = [];
   private readonly size: number;
   private readonly centre: Vector3;
+  private orbitsOf: number[] = [];
+  private readonly orbits = new Group();
   private motion: Motion | null = null;
   private wanted = 0;
 
@@ -48,7 +50,7 @@ export class MovingScene {
     this.controls.addEventListener("change", () => this.draw());
     this.scene.add(new AmbientLight(0xffffff, 1.6), this.light(1, 1, 2), this.light(-2, -1, 1), this.turning);
     const axes = new AxesHelper(0.35 * size);
-    this.turning.add(axes);
+    this.turning.add(axes, this.orbits);
     outline.lines.forEach((line, k) => this.add(line.name, line.points, k));
     this.view("oblique");
     onTheme(() => this.draw());
@@ -70,8 +72,11 @@ export class MovingScene {
     this.lines.push({ geometry, of });
     const paint = new Color(colour(k));
     if (of.length > 1) this.turning.add(new Line(geometry, new LineBasicMaterial({ color: paint })));
-    const tips = of.length <= 1 || name.startsWith("cable") ? 9 : 0;
-    this.turning.add(new Points(geometry, new PointsMaterial({ color: paint, size: tips || 3, sizeAttenuation: false })));
+    if (name === "shaft") this.orbitsOf = of.filter((_, i) => i % Math.max(1, Math.floor(of.length / 12)) === 0);
+    const ends = new BufferGeometry();  // tip masses, bearings
+    ends.setAttribute("position", geometry.getAttribute("position"));
+    ends.setIndex(name === "body" || name === "shaft" ? [] : [of.length - 1]);
+    this.turning.add(new Points(ends, new PointsMaterial({ color: paint, size: 9, sizeAttenuation: false })));
   }
 
   private addDisc(ends: [number, number], k: number): void {
@@ -91,6 +96,25 @@ export class MovingScene {
   show(motion: Motion): void {
     this.motion = motion;
     this.draw();
+  }
+
+  // The paths of some places of a shaft, a period long.
+  private drawOrbits(m: Motion, scale: number): void {
+    const steps = 48;
+    while (this.orbits.children.length < this.orbitsOf.length) {
+      const path = new BufferGeometry();
+      path.setAttribute("position", new BufferAttribute(new Float32Array(3 * steps), 3));
+      this.orbits.add(new LineLoop(path, new LineBasicMaterial({ color: new Color(colour(5)), transparent: true, opacity: 0.8 })));
+    }
+    this.orbitsOf.forEach((i, k) => {
+      const to = (this.orbits.children[k] as LineLoop).geometry.getAttribute("position") as BufferAttribute;
+      const at = this.outline.points[i] ?? [0, 0, 0], re = m.displacements.re[i] ?? [0, 0, 0], im = m.displacements.im[i] ?? [0, 0, 0];
+      for (let s = 0; s < steps; ++s) {
+        const c = scale * Math.cos((2 * Math.PI * s) / steps), d = scale * Math.sin((2 * Math.PI * s) / steps);
+        to.setXYZ(s, ...([0, 1, 2].map((q) => (at[q] ?? 0) + c * (re[q] ?? 0) - d * (im[q] ?? 0)) as [number, number, number]));
+      }
+      to.needsUpdate = true;
+    });
   }
 
   view(from: "x" | "y" | "z" | "oblique"): void {
@@ -126,6 +150,8 @@ export class MovingScene {
         to.needsUpdate = true;
       }
       for (const d of this.discs) this.turnDisc(d);
+      if (!m.growth) this.drawOrbits(m, scale);
+      this.orbits.visible = !m.growth;
       this.turning.rotation.z = this.fixedAxes && this.spin !== null && m.omega > 0 ? (this.spin / m.omega) * this.phase : 0;
     }
     this.renderer.render(this.scene, this.camera);
