@@ -44,7 +44,8 @@ export interface Unstable {
   shape?: Shape; displacements?: Points;
 }
 
-export interface Geometry { points: number[][]; lines: { name: string; points: number[] }[] }
+/** `displacements`: of version 2, of every mode in order; in version 1 each mode has its own. */
+export interface Geometry { points: number[][]; lines: { name: string; points: number[] }[]; displacements?: unknown }
 
 export interface Sensitivity {
   key: string; value: number; unit?: string;
@@ -65,6 +66,8 @@ export interface ModesDocument extends Common {
   structure: StructureFacts; stability: Stability; index_balance: Balance; coverage: Coverage;
   modes: Mode[]; unstable: Unstable[]; geometry?: Geometry | null; sensitivity?: Sensitivity[];
   negative_modes?: Mode[]; repairs?: unknown[];
+  /** Of version 2: all shapes as one block. */
+  shapes?: { labels: string[]; re: number[][]; im: number[][] };
 }
 
 export interface Branch {
@@ -103,6 +106,17 @@ export interface CountDocument extends Common {
 
 export type AnyDocument = Common & Record<string, unknown>;
 export interface Named { name: string; document: AnyDocument }
+
+/** A document of modes with a shape and displacements with each mode, whatever its version. */
+export function withShapes(d: ModesDocument): ModesDocument {
+  const moved = d.geometry?.displacements;
+  if (!d.shapes && !Array.isArray(moved)) return d;
+  const modes = d.modes.map((m, k): Mode => {
+    const re = d.shapes?.re[k], im = d.shapes?.im[k], displacements = Array.isArray(moved) ? (moved[k] as Points | null) : null;
+    return { ...m, ...(d.shapes && re && im ? { shape: { labels: d.shapes.labels, re, im } } : {}), ...(displacements ? { displacements } : {}) };
+  });
+  return { ...d, modes };
+}
 
 /** "modes" of "gyromode/modes/1". */
 export const kindOf = (d: AnyDocument): string => d.schema.split("/")[1] ?? "";

@@ -1,6 +1,6 @@
 // The page: every document that stands in it, one after the other.
 import { announce, el, type Child } from "./dom";
-import { kindOf, type AnyDocument, type CountDocument, type ModesDocument, type Named, type Unit } from "./documents";
+import { kindOf, withShapes, type AnyDocument, type CountDocument, type ModesDocument, type Named, type Unit } from "./documents";
 import { frequency, number } from "./numbers";
 import { themeChanged } from "./charts/colours";
 import { campbellPage } from "./page/campbell";
@@ -15,7 +15,8 @@ import { unstable, verdict } from "./page/verdict";
 import { Player } from "./scene/player";
 import { entries } from "./page/entries";
 
-function modesPage(d: ModesDocument, unit: Unit): Child[] {
+function modesPage(given: ModesDocument, unit: Unit): Child[] {
+  const d = withShapes(given);
   const moving = d.geometry && d.modes.some((m) => m.displacements) ? new Player(d, unit) : null;
   const beside = el("div", { class: "beside", "aria-live": "polite" });
   const select = (place: number): void => {

@@ -188,6 +188,20 @@ await test("a mode plays, and its points are those of the shape", async () => {
   }
 });
 
+await test("shapes as one block (version 2) are drawn as well, two modes beside each other", async () => {
+  const file = join(folder, "block.json");
+  run("modes", "models/rotors/two_discs.toml", "--lowest", "4", "--shapes", "--schema", "2", "-o", file);
+  run("report", file, "-o", join(folder, "block.html"));
+  const page = await opened(join(folder, "block.html"));
+  assert.equal(await page.locator(".moving canvas").count(), 1);
+  assert.match(await page.locator(".beside").innerText(), /theta_x1/);
+  await page.getByLabel("beside").selectOption({ index: 3 });
+  await page.waitForTimeout(200);
+  await expectTrue(page, JSON.parse(readFileSync(file, "utf8")));
+  assert.deepEqual(page.faults, []);
+  await page.context().close();
+});
+
 await test("printed, and on a phone", async () => {
   const page = await opened(join(folder, "rotor.html"), { viewport: { width: 390, height: 800 } });
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);

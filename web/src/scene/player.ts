@@ -42,7 +42,9 @@ export class Player {
     this.slider = el("input", { type: "range", min: 0, max: 360, step: 1, value: 0, oninput: () => { this.play(false); this.setPhase((Number(this.slider.value) * Math.PI) / 180); } });
     this.menu = el("select", { onchange: () => this.choose(this.menu.selectedIndex) }, this.all.map((c) => el("option", {}, c.name)));
     const menuControl = control("Mode", (id) => { this.menu.id = id; return this.menu; });
-    this.element = el("figure", { class: "moving" }, stage, el("div", { class: "tools" }, menuControl, this.button,
+    const other = control("beside", (id) => el("select", { id, onchange: (e: Event) => this.scene?.beside(this.all[(e.target as HTMLSelectElement).selectedIndex - 1]?.motion ?? null) },
+      el("option", {}, "none"), this.all.map((c) => el("option", {}, c.name))));
+    this.element = el("figure", { class: "moving" }, stage, el("div", { class: "tools" }, menuControl, other, this.button,
       control("Phase", (id) => { this.slider.id = id; return this.slider; }),
       control("Amplitude", (id) => el("input", { id, type: "range", min: 0, max: 0.5, step: 0.01, value: 0.15, oninput: (e: Event) => { if (this.scene) { this.scene.amplitude = Number((e.target as HTMLInputElement).value); this.scene.draw(); } } })),
       el("span", { class: "control", role: "group", "aria-label": "View from" }, (["oblique", "x", "y", "z"] as const).map((v) => el("button", { type: "button", "aria-label": `view from ${v}`, onclick: () => this.scene?.view(v) }, v))),

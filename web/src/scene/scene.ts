@@ -35,7 +35,9 @@ export class MovingScene {
   private readonly centre: Vector3;
   private orbitsOf: number[] = [];
   private readonly orbits = new Group();
+  private readonly pale = new Group();
   private motion: Motion | null = null;
+  private other: Motion | null = null;
   private wanted = 0;
 
   constructor(private readonly outline: Geometry, private readonly spin: number | null) {
@@ -50,7 +52,7 @@ export class MovingScene {
     this.controls.addEventListener("change", () => this.draw());
     this.scene.add(new AmbientLight(0xffffff, 1.6), this.light(1, 1, 2), this.light(-2, -1, 1), this.turning);
     const axes = new AxesHelper(0.35 * size);
-    this.turning.add(axes, this.orbits);
+    this.turning.add(axes, this.orbits, this.pale);
     outline.lines.forEach((line, k) => this.add(line.name, line.points, k));
     this.view("oblique");
     onTheme(() => this.draw());
@@ -91,6 +93,32 @@ export class MovingScene {
     edge.setIndex([...Array(rim).keys()].map((i) => i + 1));
     this.turning.add(new LineLoop(edge, new LineBasicMaterial({ color: new Color(colour(k)) })));
     this.discs.push({ ends, radius: 0.5 * a.distanceTo(b), mesh, positions, tilt: [0, 0] });
+  }
+
+  /** A second mode beside the first, pale, at the same phase. */
+  beside(motion: Motion | null): void {
+    this.other = motion;
+    this.draw();
+  }
+
+  private drawOther(): void {
+    this.pale.visible = this.other !== null;
+    const m = this.other;
+    if (!m) return;
+    if (this.pale.children.length === 0) {
+      for (const l of this.lines) {
+        const g = new BufferGeometry();
+        g.setAttribute("position", new BufferAttribute(new Float32Array(3 * l.of.length), 3));
+        this.pale.add(new Line(g, new LineBasicMaterial({ color: new Color(colour(3)), transparent: true, opacity: 0.6 })));
+      }
+    }
+    const at = new Float32Array(this.positions.length);
+    displaced(this.outline.points, m.displacements, (this.amplitude * this.size) / largestDisplacement(m.displacements), m.omega > 0 ? this.phase : 0, at);
+    this.lines.forEach((l, q) => {
+      const to = (this.pale.children[q] as Line).geometry.getAttribute("position") as BufferAttribute;
+      l.of.forEach((i, k) => to.setXYZ(k, at[3 * i] ?? 0, at[3 * i + 1] ?? 0, at[3 * i + 2] ?? 0));
+      to.needsUpdate = true;
+    });
   }
 
   show(motion: Motion): void {
@@ -152,6 +180,7 @@ export class MovingScene {
       for (const d of this.discs) this.turnDisc(d);
       if (!m.growth) this.drawOrbits(m, scale);
       this.orbits.visible = !m.growth;
+      this.drawOther();
       this.turning.rotation.z = this.fixedAxes && this.spin !== null && m.omega > 0 ? (this.spin / m.omega) * this.phase : 0;
     }
     this.renderer.render(this.scene, this.camera);
