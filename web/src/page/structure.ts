@@ -29,13 +29,20 @@ function pattern(title: string, rows: number[][], imaginary: number[][] | null, 
       svg("rect", { x: 0, y: 0, width: n * cell, height: n * cell, class: "frame" }), squares), el("figcaption", {}, title));
 }
 
+// Of two coordinates: coupled through M or K and through G at once, which is a cycle of two.
 function oddCycle(labels: readonly string[]): HTMLElement {
-  const n = labels.length, radius = 90, centre = 120;
+  const n = labels.length, radius = 90, centre = 130;
   const at = (k: number): [number, number] => [centre + radius * Math.sin((2 * Math.PI * k) / n), centre - radius * Math.cos((2 * Math.PI * k) / n)];
-  return el("figure", { class: "cycle" }, svg("svg", { viewBox: "0 0 240 240", width: 240, role: "img", "aria-label": `odd cycle through ${labels.join(", ")}` },
-    labels.map((_, k) => { const [x1, y1] = at(k), [x2, y2] = at((k + 1) % n); return svg("line", { x1, y1, x2, y2, class: "edge" }); }),
-    labels.map((l, k) => { const [x, y] = at(k); return svg("g", {}, svg("circle", { cx: x, cy: y, r: 5 }), svg("text", { x, y: y - 9, "text-anchor": "middle" }, l.slice(0, 14))); })),
-    el("figcaption", {}, "An odd cycle: going round, the number of couplings through G is odd, so that no partition exists."));
+  const [top, bottom] = [at(0), at(1)];
+  const edges = n === 2
+    ? [-60, 60].map((bow, k) => svg("path", { d: `M${top[0]} ${top[1]}Q${centre + bow} ${centre} ${bottom[0]} ${bottom[1]}`, class: k === 0 ? "edge in-phase" : "edge" }))
+    : labels.map((_, k) => { const [x1, y1] = at(k), [x2, y2] = at((k + 1) % n); return svg("line", { x1, y1, x2, y2, class: "edge" }); });
+  const words = n === 2 ? `${labels.join(" and ")} are coupled through M or K (blue) and through G (orange) at once: no partition exists.`
+    : "An odd cycle: going round, the number of couplings through G is odd, so that no partition exists.";
+  return el("section", {}, el("h3", {}, "Why there is no partition"), el("figure", { class: "cycle" },
+    svg("svg", { viewBox: "0 0 260 260", width: 260, role: "img", "aria-label": `odd cycle through ${labels.join(", ")}` }, edges,
+      labels.map((l, k) => { const [x, y] = at(k); return svg("g", {}, svg("circle", { cx: x, cy: y, r: 5 }), svg("text", { x, y: y > centre ? y + 18 : y - 10, "text-anchor": "middle" }, l.slice(0, 14))); })),
+    el("figcaption", {}, words)));
 }
 
 export function structure(s: StructureFacts): HTMLElement {
@@ -56,8 +63,8 @@ export function structurePage(d: StructureDocument): HTMLElement[] {
   if (d.at && d.at.H.re.length <= most) {
     const n = d.at.H.re.length, given = [...Array(n).keys()], order = grouped.length === n ? grouped : given;
     parts.push(el("section", {}, el("h3", {}, "H(ω) before and after"),
-      el("p", {}, "At ω = ", frequency(d.at.omega, "rad/s"), " rad/s. Blue: real entries; orange: imaginary ones. T = diag(1, −j) makes all real."),
-      el("div", { class: "patterns" }, pattern("H, as given", d.at.H.re, d.at.H.im, given), pattern("H, grouped", d.at.H.re, d.at.H.im, order), pattern("H* = TᴴHT", d.at.H_star, null, order))));
+      el("p", {}, "At ω = ", frequency(d.at.omega, "rad/s"), " rad/s. Blue: real entries; orange: imaginary ones. ", d.at.by === "partition" ? "T = diag(1, −j) makes all real." : "U, which the document holds, makes all real at this frequency."),
+      el("div", { class: "patterns" }, pattern("H, as given", d.at.H.re, d.at.H.im, given), pattern("H, grouped", d.at.H.re, d.at.H.im, order), pattern(d.at.by === "partition" ? "H* = TᴴHT" : "H* = UᴴHU", d.at.H_star, null, order))));
   }
   return parts;
 }
