@@ -159,8 +159,7 @@ await test("a mode plays, and its points are those of the shape", async () => {
     const page = await opened(join(folder, `${name}.html`));
     const phase = () => page.evaluate(() => document.querySelector(".scene canvas").scene.phase);
     const first = await phase();
-    await page.waitForTimeout(400);
-    assert.ok((await phase()) !== first, "it moves");
+    await page.waitForFunction((from) => document.querySelector(".scene canvas").scene.phase !== from, first, { timeout: 20000 });
     await page.getByRole("button", { name: "Pause" }).focus();
     await page.keyboard.press("Enter");
     const rested = await phase();
