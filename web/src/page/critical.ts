@@ -4,6 +4,7 @@ import type { CriticalDocument, CriticalSpeed, Unit } from "../documents";
 import { digitsOf, frequency, inUnit, number } from "../numbers";
 import { Chart } from "../charts/plot";
 import { certificate } from "./certificate";
+import { entries } from "./entries";
 import { tornado } from "./modes";
 import { table } from "./table";
 
@@ -19,14 +20,14 @@ export function criticalPage(d: CriticalDocument, unit: Unit): HTMLElement[] {
   }
   if (d.critical_speeds) {
     const rows = d.critical_speeds.map((speed, k) => ({ place: k, speed }));
-    const drawer = el("div", { "aria-live": "polite" });
+    const drawer = el("div", { class: "beside", "aria-live": "polite" });
     parts.push(table(heading, [
       { heading: "#", key: "place", cell: (r) => r.place + 1, value: (r) => r.place + 1 },
       { heading: `Ω [${unit}]`, key: "omega", cell: (r: { speed: CriticalSpeed }) => frequency(r.speed.omega, unit, digitsOf(r.speed.omega, r.speed.error_bound)), value: (r) => r.speed.omega },
       { heading: "rpm", key: "rpm", cell: (r) => number(r.speed.rpm, digitsOf(r.speed.omega, r.speed.error_bound)), value: (r) => r.speed.rpm },
       { heading: "whirl", key: "whirl", cell: (r) => r.speed.whirl ?? "–", value: (r) => r.speed.whirl },
       { heading: "residual", key: "residual", cell: (r) => number(r.speed.residual, 2), value: (r) => r.speed.residual },
-    ], rows, d.sensitivity ? { select: (r) => drawer.replaceChildren(tornado(d.sensitivity ?? [], r.place) ?? "") } : {}));
+    ], rows, { select: (r) => drawer.replaceChildren(el("h4", {}, `Critical speed ${r.place + 1}`), ...[d.sensitivity ? tornado(d.sensitivity, r.place) : null, r.speed.shape ? entries(r.speed.shape) : null].filter((e): e is HTMLElement => e !== null)) }));
     parts.push(drawer);
   }
   if (d.coverage) parts.push(certificate(d.coverage, (d.critical_speeds ?? []).map((c) => ({ omega: c.omega, kind: "vibration", energy_sign: 1 })), unit));

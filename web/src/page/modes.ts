@@ -54,5 +54,5 @@ export function tornado(all: readonly Sensitivity[], place: number): HTMLElement
   if (rows.length === 0) return null;
   rows.sort((a, b) => Math.abs(b.relative) - Math.abs(a.relative));
   const most = rows.slice(0, 16);
-  return bars(`Sensitivity of mode ${place + 1}: % of ω for 1 % of the number`, most.map((r) => r.key), [{ name: "relative slope", values: most.map((r) => r.relative) }], (x) => number(x, 3));
+  return bars(`Sensitivity: % of ω for 1 % of the number`, most.map((r) => r.key), [{ name: "relative slope", values: most.map((r) => r.relative) }], (x) => number(x, 3));
 }
