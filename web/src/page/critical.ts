@@ -21,14 +21,13 @@ export function criticalPage(d: CriticalDocument, unit: Unit): HTMLElement[] {
   if (d.critical_speeds) {
     const rows = d.critical_speeds.map((speed, k) => ({ place: k, speed }));
     const drawer = el("div", { class: "beside", "aria-live": "polite" });
-    parts.push(table(heading, [
+    parts.push(el("section", {}, table(heading, [
       { heading: "#", key: "place", cell: (r) => r.place + 1, value: (r) => r.place + 1 },
       { heading: `Ω [${unit}]`, key: "omega", cell: (r: { speed: CriticalSpeed }) => frequency(r.speed.omega, unit, digitsOf(r.speed.omega, r.speed.error_bound)), value: (r) => r.speed.omega },
       { heading: "rpm", key: "rpm", cell: (r) => number(r.speed.rpm, digitsOf(r.speed.omega, r.speed.error_bound)), value: (r) => r.speed.rpm },
       { heading: "whirl", key: "whirl", cell: (r) => r.speed.whirl ?? "–", value: (r) => r.speed.whirl },
       { heading: "residual", key: "residual", cell: (r) => number(r.speed.residual, 2), value: (r) => r.speed.residual },
-    ], rows, { select: (r) => drawer.replaceChildren(el("h4", {}, `Critical speed ${r.place + 1}`), ...[d.sensitivity ? tornado(d.sensitivity, r.place) : null, r.speed.shape ? entries(r.speed.shape) : null].filter((e): e is HTMLElement => e !== null)) }));
-    parts.push(drawer);
+    ], rows, { select: (r) => drawer.replaceChildren(el("h4", {}, `Critical speed ${r.place + 1}`), ...[d.sensitivity ? tornado(d.sensitivity, r.place) : null, r.speed.shape ? entries(r.speed.shape) : null].filter((e): e is HTMLElement => e !== null)) }), drawer));
   }
   if (d.coverage) parts.push(certificate(d.coverage, (d.critical_speeds ?? []).map((c) => ({ omega: c.omega, kind: "vibration", energy_sign: 1 })), unit));
   return parts;
