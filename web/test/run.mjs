@@ -228,6 +228,21 @@ await test("what a document says stays text", async () => {
   await page.context().close();
 });
 
+await test("200 000 points in time, and a window without a mode", async () => {
+  const long = structuredClone(made.motion), n = 200000;
+  Object.assign(long, { labels: ["x"], t: Array.from({ length: n }, (_, k) => 0.01 * k), q: Array.from({ length: n }, (_, k) => [Math.sin(0.01 * k)]) });
+  const empty = structuredClone(made.springs);
+  Object.assign(empty, { modes: [], coverage: { ...empty.coverage, found: 0, counted: 0, window: [0, 1e-9] } });
+  for (const [name, document] of Object.entries({ long, empty })) {
+    writeFileSync(join(folder, `${name}.json`), JSON.stringify(document));
+    run("report", join(folder, `${name}.json`), "-o", join(folder, `${name}.html`));
+    const page = await opened(join(folder, `${name}.html`));
+    assert.deepEqual(await page.$$eval("[role=alert]", (e) => e.map((x) => x.textContent)), []);
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  }
+});
+
 await test("200 spins of 20 branches: below a megabyte, first seen within a second", async () => {
   const spins = Array.from({ length: 200 }, (_, k) => 2 * k + 1 / 3), many = structuredClone(made.campbell);
   const from = many.branches[0], over = (v) => spins.map((_, k) => v(k));

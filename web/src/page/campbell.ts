@@ -4,6 +4,7 @@ import type { CampbellDocument, Unit } from "../documents";
 import { frequency, inUnit, number, text } from "../numbers";
 import { spoken, verdicts } from "../words";
 import { Chart, type Curve } from "../charts/plot";
+import { most } from "../charts/scale";
 import { table } from "./table";
 
 export function campbellPage(d: CampbellDocument, unit: Unit): HTMLElement[] {
@@ -11,7 +12,7 @@ export function campbellPage(d: CampbellDocument, unit: Unit): HTMLElement[] {
   const branches: Curve[] = d.branches.map((b, k) => ({ name: `branch ${k + 1}`, values: b.omega.map((w) => (w === null ? null : inUnit(w, unit))) }));
   const orders = new Set(d.excitation.map((e) => e.order));
   if (orders.size === 0) orders.add(1);
-  const highest = Math.max(...branches.flatMap((b) => b.values.map((v) => v ?? 0)), 0);
+  const highest = Math.max(0, most(branches.flatMap((b) => b.values.map((v) => v ?? 0))));
   const guides = (): Curve[] => [...orders].sort((a, b) => a - b).map((m) => ({ name: `order ${m}`, guide: true, values: x.map((s) => (m * s <= 1.05 * highest ? m * s : null)) }));
   const chosen = el("div", { class: "chosen", "aria-live": "polite" }, el("p", {}, "Choose a point of a branch to see what it is there."));
   const chart = new Chart({

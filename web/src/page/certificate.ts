@@ -3,20 +3,13 @@ import { el, svg } from "../dom";
 import type { Coverage, Mode, Unit } from "../documents";
 import { frequency, inUnit, number, text } from "../numbers";
 import { coverages } from "../words";
+import { most, ticks } from "../charts/scale";
 
 const width = 720, height = 190, left = 40, right = 70, top = 16, bottom = 40;
 
-function steps(low: number, high: number, most: number): number[] {
-  const raw = (high - low) / most, power = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= raw) ?? raw;
-  const all: number[] = [];
-  for (let v = Math.ceil(low / step) * step; v <= high * (1 + 1e-12); v += step) all.push(Number(v.toPrecision(12)));
-  return all;
-}
-
 export function countsPicture(coverage: Coverage, modes: readonly Mode[], unit: Unit): SVGElement {
   const listed = modes.map((m) => m.omega);
-  const a = coverage.window[0], b = coverage.window[1] ?? Math.max(1e-300, 1.05 * Math.max(...listed, 0));
+  const a = coverage.window[0], b = coverage.window[1] ?? Math.max(1e-300, 1.05 * most(listed));
   const total = Math.max(coverage.counted ?? 0, coverage.found, 1);
   const x = (w: number): number => left + ((w - a) / (b - a || 1)) * (width - left - right);
   const y = (n: number): number => height - bottom - (n / total) * (height - bottom - top);
@@ -35,7 +28,7 @@ export function countsPicture(coverage: Coverage, modes: readonly Mode[], unit: 
   return svg("svg", { viewBox: `0 0 ${width} ${height}`, class: "counts", role: "img",
     "aria-label": `${coverage.found} modes found in the window, ${coverage.counted ?? "not"} counted` },
     svg("line", { x1: left, x2: width - right, y1: height - bottom, y2: height - bottom, class: "axis" }),
-    steps(inUnit(a, unit), inUnit(b, unit), 8).map((v) => {
+    ticks(inUnit(a, unit), inUnit(b, unit), 8).map((v) => {
       const at = x(v / inUnit(1, unit));
       return svg("g", { class: "tick" }, svg("line", { x1: at, x2: at, y1: height - bottom, y2: height - bottom + 4 }),
         svg("text", { x: at, y: height - 10, "text-anchor": "middle" }, text(v, 5)));

@@ -3,6 +3,7 @@ import { el } from "../dom";
 import type { AnyDocument, Unit } from "../documents";
 import { inUnit, number, frequency } from "../numbers";
 import { Chart, type Curve } from "../charts/plot";
+import { most } from "../charts/scale";
 import { table } from "./table";
 
 /** Boxes that choose which curves are drawn; the largest ones are at first. */
@@ -20,7 +21,7 @@ function chooser(names: readonly string[], sizes: readonly number[], changed: (c
   return { element, chosen: list() };
 }
 
-const largest = (values: readonly (number | null)[]): number => Math.max(0, ...values.map((v) => Math.abs(v ?? 0)));
+const largest = (values: readonly (number | null)[]): number => Math.max(0, most(values.map((v) => Math.abs(v ?? 0))));
 
 interface OverTime { t: number[]; q: number[][]; labels: string[]; remark?: string; modal?: { omega: number; amplitude: number; phase: number; energy: number }[] }
 

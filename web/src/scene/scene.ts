@@ -8,13 +8,20 @@ import { displaced, extent, largestDisplacement } from "./outline";
 const rim = 48;  // corners of a disc
 
 /** A rigid disc by the two ends of a diameter: its centre, and its normal beside the axis z at rest. */
-interface Disc { ends: [number, number]; radius: number; mesh: Mesh; positions: Float32Array; tilt: number[] }
+interface Disc { ends: [number, number]; radius: number; mesh: Mesh }
 
 export interface Motion {
   displacements: Displacements;
   omega: number;
   /** Of growing motions, 1/s. */
   growth?: number;
+}
+
+// Some of the points, in order, as those of a line.
+function put(positions: Float32Array, of: readonly number[], geometry: BufferGeometry): void {
+  const to = geometry.getAttribute("position") as BufferAttribute;
+  of.forEach((i, k) => to.setXYZ(k, positions[3 * i] ?? 0, positions[3 * i + 1] ?? 0, positions[3 * i + 2] ?? 0));
+  to.needsUpdate = true;
 }
 
 export class MovingScene {
@@ -83,8 +90,8 @@ export class MovingScene {
 
   private addDisc(ends: [number, number], k: number): void {
     const a = new Vector3(...(this.outline.points[ends[0]] as [number, number, number])), b = new Vector3(...(this.outline.points[ends[1]] as [number, number, number]));
-    const positions = new Float32Array(3 * (rim + 1)), geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(positions, 3));
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * (rim + 1)), 3));
     geometry.setIndex([...Array(rim).keys()].flatMap((i) => [0, i + 1, ((i + 1) % rim) + 1]));
     const mesh = new Mesh(geometry, new MeshLambertMaterial({ color: new Color(colour(k)), side: DoubleSide, transparent: true, opacity: 0.75 }));
     this.turning.add(mesh);
@@ -92,7 +99,7 @@ export class MovingScene {
     edge.setAttribute("position", geometry.getAttribute("position"));
     edge.setIndex([...Array(rim).keys()].map((i) => i + 1));
     this.turning.add(new LineLoop(edge, new LineBasicMaterial({ color: new Color(colour(k)) })));
-    this.discs.push({ ends, radius: 0.5 * a.distanceTo(b), mesh, positions, tilt: [0, 0] });
+    this.discs.push({ ends, radius: 0.5 * a.distanceTo(b), mesh });
   }
 
   /** A second mode beside the first, pale, at the same phase. */
@@ -114,11 +121,7 @@ export class MovingScene {
     }
     const at = new Float32Array(this.positions.length);
     displaced(this.outline.points, m.displacements, (this.amplitude * this.size) / largestDisplacement(m.displacements), m.omega > 0 ? this.phase : 0, at);
-    this.lines.forEach((l, q) => {
-      const to = (this.pale.children[q] as Line).geometry.getAttribute("position") as BufferAttribute;
-      l.of.forEach((i, k) => to.setXYZ(k, at[3 * i] ?? 0, at[3 * i + 1] ?? 0, at[3 * i + 2] ?? 0));
-      to.needsUpdate = true;
-    });
+    this.lines.forEach((l, q) => put(at, l.of, (this.pale.children[q] as Line).geometry));
   }
 
   show(motion: Motion): void {
@@ -172,11 +175,7 @@ export class MovingScene {
       const m = this.motion, grown = m.growth && m.omega > 0 ? Math.exp((m.growth * this.phase) / m.omega) : m.growth ? Math.exp(this.phase) : 1;
       const scale = (Math.min(grown, 6) * this.amplitude * this.size) / largestDisplacement(m.displacements);
       displaced(this.outline.points, m.displacements, scale, m.omega > 0 ? this.phase : 0, this.positions);
-      for (const l of this.lines) {
-        const to = l.geometry.getAttribute("position") as BufferAttribute;
-        l.of.forEach((i, k) => to.setXYZ(k, this.positions[3 * i] ?? 0, this.positions[3 * i + 1] ?? 0, this.positions[3 * i + 2] ?? 0));
-        to.needsUpdate = true;
-      }
+      for (const l of this.lines) put(this.positions, l.of, l.geometry);
       for (const d of this.discs) this.turnDisc(d);
       if (!m.growth) this.drawOrbits(m, scale);
       this.orbits.visible = !m.growth;
